@@ -1,0 +1,72 @@
+// run_NNNN.h5: what one seed produced. Tables are groups of equally long columns, each with a unit.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace clog {
+
+/// Everything a run leaves behind; columns of a table have equal length. Times start when the gate
+/// opens (start = "filled") or at the first step.
+struct RunData {
+  std::uint64_t seed = 0;
+  std::string scene_text;     ///< effective scene
+  nlohmann::json provenance;  ///< program revision, compiler, ISA, host, wall time, particle-steps/s,
+                              ///< flow hash, fill_time, start ...
+  double end_time = 0;        ///< simulated [s]; the last lapse is censored here
+
+  struct {
+    std::vector<double> time;              ///< first crossing of passages.plane [s]
+    std::vector<std::int64_t> id;
+    std::vector<double> y, z;              ///< where [m]
+    std::vector<std::uint8_t> friction_off;  ///< 1: while a release held friction off
+  } passages;
+
+  /// One row a release: friction was off in [off, on).
+  struct {
+    std::vector<double> off, on;         ///< [s]
+    std::vector<double> largest_speed;   ///< in the clog just before, over particles within 3 neck widths [m/s]
+    std::vector<double> position;        ///< x of the most downstream particle of the clog [m]
+  } releases;
+
+  struct {
+    std::vector<double> time;               ///< [s]
+    std::vector<std::int64_t> count;        ///< particles in the domain
+    std::vector<std::vector<double>> porosity;  ///< one row a sample, one column a strip [-]
+    std::vector<double> packing_fraction;   ///< of the whole upstream channel [-]
+    std::vector<double> kinetic_energy;     ///< [J]
+    std::vector<double> elastic_energy;     ///< [J]
+    std::vector<double> largest_overlap;    ///< [m]
+    std::vector<std::int64_t> contacts;     ///< particle-particle contacts
+    std::vector<std::int64_t> wall_contacts;
+    std::vector<double> drag_work;          ///< since the start [J]
+    std::vector<double> dissipated;         ///< since the start [J]
+    std::vector<double> median_speed;       ///< [m/s]
+    std::vector<double> speed_q99;          ///< 99 % quantile of the speeds [m/s]
+  } series;
+
+  struct Snapshot {
+    double time = 0;                     ///< [s]
+    std::vector<std::int64_t> id;
+    std::vector<float> position;         ///< [n][3] [m]
+    std::vector<float> velocity;         ///< [n][3] [m/s]
+    std::vector<float> spin;             ///< [n][3] [rad/s]
+    std::vector<float> radius;           ///< [n] [m]
+  };
+  std::vector<Snapshot> snapshots;
+};
+
+/// Writes beside, flushes, renames; an XDMF file for the snapshots beside it. \throws Error
+void write_run_file(const RunData& run, const std::filesystem::path& file);
+
+/// \throws Error on an unknown version, missing table or unit, unequal columns, or a truncated file
+RunData read_run_file(const std::filesystem::path& file);
+
+/// run_0007.h5
+std::string run_file_name(std::uint64_t seed);
+
+}  // namespace clog
