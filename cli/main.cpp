@@ -1,0 +1,22 @@
+// The program `clog`: finds the verb, and turns every refusal into one line on standard error.
+
+#include <cstdio>
+#include <exception>
+
+#include "cli/verbs.hpp"
+#include "coupling/require.hpp"
+
+int main(int argc, char** argv) {
+  CLI::App app{"clogflow: clogging of suspensions, from the flow field to the statistics", "clog"};
+  app.require_subcommand(1);
+  app.set_version_flag("--version", CLOG_VERSION);
+  try {
+    app.parse(argc, argv);
+    return 0;
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "clog: {}\n", error.what());
+    return 1;
+  }
+}

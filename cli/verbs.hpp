@@ -1,0 +1,17 @@
+// One function per verb of `clog`: it adds its subcommand, options and callback.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace clog::cli {
+
+void add_plan(CLI::App& app);
+void add_case(CLI::App& app);
+void add_map(CLI::App& app);
+void add_run(CLI::App& app);
+void add_stats(CLI::App& app);
+void add_fit(CLI::App& app);
+void add_report(CLI::App& app);
+void add_info(CLI::App& app);
+
+}  // namespace clog::cli
