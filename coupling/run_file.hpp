@@ -49,13 +49,17 @@ struct RunData {
     std::vector<double> speed_q99;          ///< 99 % quantile of the speeds [m/s]
   } series;
 
+  /// The state at one time; always at the start and at the end, and every output.snapshot_interval.
+  /// Vectors are interleaved [n][3].
   struct Snapshot {
     double time = 0;                     ///< [s]
     std::vector<std::int64_t> id;
-    std::vector<float> position;         ///< [n][3] [m]
-    std::vector<float> velocity;         ///< [n][3] [m/s]
-    std::vector<float> spin;             ///< [n][3] [rad/s]
-    std::vector<float> radius;           ///< [n] [m]
+    std::vector<double> radius;          ///< [n] [m]
+    std::vector<double> position;        ///< [m]
+    std::vector<double> velocity;        ///< at the same time as the position [m/s]
+    std::vector<double> spin;            ///< [rad/s]
+    std::vector<double> force;           ///< of all kinds [N]
+    std::vector<double> torque;          ///< [N m]
   };
   std::vector<Snapshot> snapshots;
 };
