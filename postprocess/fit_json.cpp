@@ -1,0 +1,61 @@
+// Fits as JSON.
+#include "postprocess/fit_json.hpp"
+
+#include <cmath>
+
+namespace clog::postprocess {
+namespace {
+
+std::vector<Observation> tail_of(const SortedSample& sample, double xmin) {
+  std::vector<Observation> tail;
+  for (std::size_t i = sample.lower_bound(xmin); i < sample.size(); ++i) {
+    tail.push_back({sample.value(i), false});
+  }
+  return tail;
+}
+
+}  // namespace
+
+nlohmann::json number_or_null(double value) {
+  return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
+}
+
+nlohmann::json as_json(const RivalTest& test) {
+  const char* verdict = test.p_value > 0.1     ? "undecided"
+                        : test.log_ratio > 0.0 ? "power law"
+                                               : "exponential";
+  return {{"rate", number_or_null(test.rate)},
+          {"log_likelihood_ratio", test.log_ratio},
+          {"normalized_ratio", test.normalized},
+          {"p_value", test.p_value},
+          {"favoured", verdict}};
+}
+
+nlohmann::json fit_as_json(const SortedSample& sample, const FitRequest& request) {
+  const PowerLawFit fit =
+      request.xmin ? fit_power_law(sample, *request.xmin) : fit_power_law(sample);
+  nlohmann::json json{{"alpha", fit.alpha},
+                      {"xmin", fit.xmin},
+                      {"xmin_from", request.xmin ? "given" : "scan"},
+                      {"sigma", fit.sigma},
+                      {"n", fit.n},
+                      {"n_tail", fit.n_tail},
+                      {"ks", fit.ks},
+                      {"ties", rule_for_ties},
+                      {"exponential", as_json(power_law_against_exponential(tail_of(sample, fit.xmin), fit.xmin))}};
+  if (fit.n_tail < rough_below) {
+    json["warning"] = "fewer than 50 values in the tail: alpha is rough";
+  }
+  if (request.p_value) {
+    const Bootstrap bootstrap{*request.p_value, request.seed,
+                              request.xmin ? LowerEnd::fixed : LowerEnd::scanned};
+    const double p = goodness_of_fit(sample, fit, bootstrap);
+    json["p_value"] = p;
+    json["p_value_error"] = p_value_error(p, bootstrap.replicates);
+    json["p_value_replicates"] = bootstrap.replicates;
+    json["seed"] = request.seed;
+  }
+  return json;
+}
+
+}  // namespace clog::postprocess
