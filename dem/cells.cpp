@@ -1,0 +1,47 @@
+#include "dem/cells.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace clog {
+
+namespace {
+
+/// A scene with a few far-away particles must not allocate cells by the million.
+constexpr int most_cells_per_axis = 512;
+
+}  // namespace
+
+Cells::Cells(const Particles& p, double size) {
+  const std::vector<double>* axis[3] = {&p.x, &p.y, &p.z};
+  std::array<double, 3> low{}, edge{};
+  for (int a = 0; a < 3; ++a) {
+    const auto [least, most] = std::minmax_element(axis[a]->begin(), axis[a]->end());
+    const double span = p.size() ? *most - *least : 0;
+    low[a] = p.size() ? *least : 0;
+    count_[a] = std::clamp(static_cast<int>(span / size), 1, most_cells_per_axis);
+    edge[a] = std::max(size, span / count_[a]);
+  }
+  const auto cell_of = [&](std::size_t i) {
+    int c[3];
+    for (int a = 0; a < 3; ++a)
+      c[a] = std::clamp(static_cast<int>(((*axis[a])[i] - low[a]) / edge[a]), 0, count_[a] - 1);
+    return cell_index(c[0], c[1], c[2]);
+  };
+  std::vector<int> cell(p.size());
+  start_.assign(static_cast<std::size_t>(count_[0]) * count_[1] * count_[2] + 1, 0);
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    cell[i] = cell_of(i);
+    ++start_[cell[i] + 1];
+  }
+  std::partial_sum(start_.begin(), start_.end(), start_.begin());
+  std::vector<int> next(start_.begin(), start_.end() - 1);
+  order_.resize(p.size());
+  for (std::size_t i = 0; i < p.size(); ++i) order_[next[cell[i]]++] = static_cast<int>(i);
+  for (std::size_t c = 0; c + 1 < start_.size(); ++c)
+    std::sort(order_.begin() + start_[c], order_.begin() + start_[c + 1],
+              [&](int a, int b) { return p.id[a] < p.id[b]; });
+}
+
+}  // namespace clog

@@ -1,0 +1,8 @@
+// The hot loops for avx2; CMakeLists.txt gives this file its own compiler flags.
+#include "dem/kernels_impl.hpp"
+
+namespace clog {
+
+const Kernels kernels_avx2 = make_kernels("avx2");
+
+}  // namespace clog

@@ -1,0 +1,8 @@
+// The hot loops for avx512; CMakeLists.txt gives this file its own compiler flags.
+#include "dem/kernels_impl.hpp"
+
+namespace clog {
+
+const Kernels kernels_avx512 = make_kernels("avx512");
+
+}  // namespace clog

@@ -1,0 +1,8 @@
+// The hot loops for x86-64; CMakeLists.txt gives this file its own compiler flags.
+#include "dem/kernels_impl.hpp"
+
+namespace clog {
+
+const Kernels kernels_x86_64 = make_kernels("x86_64");
+
+}  // namespace clog

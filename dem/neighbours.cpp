@@ -1,0 +1,77 @@
+#include "dem/neighbours.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace clog {
+
+namespace {
+
+/// A contact of the last step under the new numbering, i < j.
+struct Remembered {
+  int i, j;
+  Springs<double> springs;
+};
+
+/// The contacts to remember, those of particle i from start[i] to start[i + 1].
+struct Memory {
+  std::vector<Remembered> contacts;
+  std::vector<int> start;
+};
+
+Memory remember(const Neighbours& list, const std::vector<int>& renumbered, std::size_t particles) {
+  Memory memory;
+  for (std::size_t k = 0; k < list.first.size(); ++k) {
+    if (!list.springs.touching(k)) continue;
+    const int i = renumbered[list.first[k]], j = renumbered[list.second[k]];
+    if (i < 0 || j < 0) continue;
+    const Springs<double> springs = list.springs.get(k);
+    memory.contacts.push_back(i < j ? Remembered{i, j, springs}
+                                    : Remembered{j, i, swapped(springs)});
+  }
+  std::stable_sort(memory.contacts.begin(), memory.contacts.end(),
+                   [](const Remembered& a, const Remembered& b) { return a.i < b.i; });
+  memory.start.assign(particles + 1, 0);
+  for (const Remembered& contact : memory.contacts) ++memory.start[contact.i + 1];
+  std::partial_sum(memory.start.begin(), memory.start.end(), memory.start.begin());
+  return memory;
+}
+
+}  // namespace
+
+std::vector<int> Neighbours::rebuild(Particles& p, const std::vector<std::uint8_t>& leaving,
+                                     const Reach& reach) {
+  const double radius = p.size() ? *std::max_element(p.radius.begin(), p.radius.end()) : 0;
+  const Cells all(p, 2 * radius + reach.lubrication + reach.skin);
+  std::vector<int> order;
+  for (int i : all.order())
+    if (leaving.empty() || !leaving[i]) order.push_back(i);
+  std::vector<int> renumbered(p.size(), -1);
+  for (std::size_t k = 0; k < order.size(); ++k) renumbered[order[k]] = static_cast<int>(k);
+  const Memory memory = remember(*this, renumbered, order.size());
+  p.reorder(order);
+
+  first.clear(), second.clear(), far_first.clear(), far_second.clear();
+  const Cells cells(p, 2 * radius + reach.lubrication + reach.skin);
+  cells.for_each_pair([&](int i, int j) {
+    const double dx = p.x[i] - p.x[j], dy = p.y[i] - p.y[j], dz = p.z[i] - p.z[j];
+    const double distance2 = dx * dx + dy * dy + dz * dz;
+    const double near = p.radius[i] + p.radius[j] + reach.skin;
+    const double far = near + reach.lubrication;
+    if (distance2 < near * near) {
+      first.push_back(i), second.push_back(j);
+    } else if (reach.lubrication > 0 && distance2 < far * far) {
+      far_first.push_back(i), far_second.push_back(j);
+    }
+  });
+  springs.reset(first.size());
+  scratch_touching.resize(first.size());
+  scratch_lubricated.resize(first.size());
+  for (std::size_t k = 0; k < first.size(); ++k)
+    for (int c = memory.start[first[k]]; c < memory.start[first[k] + 1]; ++c)
+      if (memory.contacts[c].j == second[k]) springs.set(k, memory.contacts[c].springs);
+  return renumbered;
+}
+
+}  // namespace clog

@@ -1,0 +1,42 @@
+#include "dem/particles.hpp"
+
+#include <algorithm>
+
+namespace clog {
+
+namespace {
+
+template <class T>
+void gather(std::vector<T>& values, const std::vector<int>& order) {
+  std::vector<T> taken(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) taken[k] = values[order[k]];
+  values.swap(taken);
+}
+
+}  // namespace
+
+void Particles::add(const Particle& p) {
+  id.push_back(p.id);
+  radius.push_back(p.radius);
+  mass.push_back(p.mass);
+  inertia.push_back(p.inertia);
+  x.push_back(p.x), y.push_back(p.y), z.push_back(p.z);
+  vx.push_back(p.vx), vy.push_back(p.vy), vz.push_back(p.vz);
+  wx.push_back(p.wx), wy.push_back(p.wy), wz.push_back(p.wz);
+  for (auto* load : {&fx, &fy, &fz, &tx, &ty, &tz}) load->push_back(0);
+  passed.push_back(0);
+}
+
+void Particles::reorder(const std::vector<int>& order) {
+  gather(id, order);
+  gather(passed, order);
+  for (auto* values : {&radius, &mass, &inertia, &x, &y, &z, &vx, &vy, &vz, &wx, &wy, &wz, &fx, &fy,
+                       &fz, &tx, &ty, &tz})
+    gather(*values, order);
+}
+
+void Particles::clear_loads() {
+  for (auto* load : {&fx, &fy, &fz, &tx, &ty, &tz}) std::fill(load->begin(), load->end(), 0.0);
+}
+
+}  // namespace clog

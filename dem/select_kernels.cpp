@@ -1,0 +1,36 @@
+// Chooses the instruction set when the program starts.
+
+#include <cstdlib>
+#include <cstring>
+
+#include "coupling/require.hpp"
+#include "dem/kernels.hpp"
+
+namespace clog {
+
+namespace {
+
+bool processor_has(const Kernels& kernels) {
+  if (&kernels == &kernels_avx512)
+    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+           __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw") &&
+           __builtin_cpu_supports("fma");
+  if (&kernels == &kernels_avx2)
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+           __builtin_cpu_supports("bmi2");
+  return true;
+}
+
+}  // namespace
+
+const Kernels& select_kernels(const char* wanted) {
+  if (!wanted) wanted = std::getenv("CLOG_ISA");
+  for (const Kernels* kernels : {&kernels_avx512, &kernels_avx2, &kernels_x86_64}) {
+    if (wanted && *wanted && std::strcmp(wanted, kernels->name) != 0) continue;
+    if (processor_has(*kernels)) return *kernels;
+    require(!wanted || !*wanted, "CLOG_ISA = {} (this processor lacks it): unset it", wanted);
+  }
+  throw Error(fmt::format("CLOG_ISA = {} (must be avx512, avx2 or x86_64)", wanted));
+}
+
+}  // namespace clog
