@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "coupling/content_hash.hpp"
 #include "coupling/walls.hpp"
 
 namespace clog {
@@ -35,8 +36,5 @@ void write_flow_grid(const FlowGrid& grid, const std::filesystem::path& file);
 
 /// \throws Error on an unknown version, missing unit, NaN in the field, or a truncated file
 FlowGrid read_flow_grid(const std::filesystem::path& file);
-
-/// 64-bit FNV-1a of a text as 16 hexadecimal digits: names a flow by its inputs.
-std::string content_hash(const std::string& text);
 
 }  // namespace clog

@@ -172,4 +172,7 @@ std::string flow_inputs(const Scene& scene);
 /// \throws Error naming the text
 std::vector<std::uint64_t> parse_seeds(const std::string& text);
 
+/// The same back: "1-4,9".
+std::string format_seeds(const std::vector<std::uint64_t>& seeds);
+
 }  // namespace clog

@@ -41,6 +41,13 @@ Quantity parse_quantity(std::string_view text);
 /// The SI unit of a dimension in words a file can carry: "m", "Pa s", "kg/m3", "1" for a number.
 std::string si_unit(Dimension dimension);
 
+/// "a length" and an example "33 um": how messages name a kind of quantity.
+struct QuantityWords {
+  std::string name;
+  std::string example;
+};
+QuantityWords quantity_words(Dimension dimension);
+
 /// Shortest text that parse_quantity reads back to the same bits: "3.3e-05 m".
 std::string format_quantity(double si, Dimension dimension);
 

@@ -1,0 +1,49 @@
+// A scene from a file or a text: read, complete, check.
+#include "coupling/scene.hpp"
+
+#include <fstream>
+#include <iterator>
+
+#include "coupling/require.hpp"
+#include "coupling/scene_draft.hpp"
+
+namespace clog {
+namespace {
+
+Scene finish(SceneDraft draft) {
+  fill_defaults(draft);
+  check_scene(draft);
+  return std::move(draft.scene);
+}
+
+// A name in the scene file is taken from its folder; one on the command line from where we are.
+void locate(const SceneDraft& draft, const std::filesystem::path& folder,
+            std::pair<std::string_view, std::string*> key) {
+  auto& [path, file] = key;
+  if (file->empty()) return;
+  const auto given = draft.given.find(path);
+  if (!given->second.where.starts_with("--set "))
+    *file = (folder / *file).lexically_normal().string();
+  require(std::filesystem::is_regular_file(*file), "{} (there is no file {})", draft.says(path),
+          *file);
+}
+
+}  // namespace
+
+Scene read_scene(const std::filesystem::path& file, const Overrides& overrides) {
+  require(std::filesystem::exists(file), "{} (no such scene file)", file.string());
+  std::ifstream stream(file, std::ios::binary);
+  require(stream.good() && std::filesystem::is_regular_file(file),
+          "{} (the scene file cannot be read)", file.string());
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  SceneDraft draft = read_draft(text, file.string(), overrides);
+  locate(draft, file.parent_path(), {"geometry.stl", &draft.scene.geometry.stl});
+  locate(draft, file.parent_path(), {"particles.initial", &draft.scene.particles.initial});
+  return finish(std::move(draft));
+}
+
+Scene parse_scene(const std::string& text, const std::string& name, const Overrides& overrides) {
+  return finish(read_draft(text, name, overrides));
+}
+
+}  // namespace clog

@@ -1,0 +1,110 @@
+// Checks that concern more than one key: each says the value, and what it must agree with.
+#include <algorithm>
+
+#include "coupling/require.hpp"
+#include "coupling/scene_draft.hpp"
+#include "coupling/units.hpp"
+
+namespace clog {
+namespace {
+
+std::string metres(double value) { return format_quantity(value, dimension::length); }
+
+void check_walls(const SceneDraft& draft) {
+  const auto& geometry = draft.scene.geometry;
+  const auto& box = draft.scene.box;
+  require(!(geometry.present && box.present),
+          "{}: [geometry] and [box] are both present (each gives walls: choose one)", draft.name);
+  if (geometry.present && geometry.neck_width > 0)
+    require(geometry.channel_width >= geometry.neck_width,
+            "{} (must not be wider than geometry.channel_width = {})",
+            draft.says("geometry.neck_width"), metres(geometry.channel_width));
+  for (int axis = 0; box.present && axis < 3; ++axis)
+    require(box.max[axis] > box.min[axis], "{} (must be larger than box.min in each component)",
+            draft.says("box.max"));
+}
+
+void check_particles(const SceneDraft& draft) {
+  const Scene& scene = draft.scene;
+  const double diameter = scene.particles.diameter;
+  const auto fits = [&](double opening, std::string_view name) {
+    require(opening == 0 || diameter < opening,
+            "{} (must be smaller than {} = {}, or no particle fits through)",
+            draft.says("particles.diameter"), name, metres(opening));
+  };
+  if (scene.geometry.present) {
+    fits(scene.geometry.neck_width, "geometry.neck_width");
+    fits(scene.geometry.neck_height, "geometry.neck_height");
+    fits(scene.geometry.channel_length, "geometry.channel_length");
+  }
+  for (int axis = 0; scene.box.present && axis < 3; ++axis)
+    fits(scene.box.max[axis] - scene.box.min[axis], fmt::format("the box along {}", "xyz"[axis]));
+  require(scene.particles.roughness < diameter / 4,
+          "{} (must be smaller than a quarter of particles.diameter = {})",
+          draft.says("particles.roughness"), metres(diameter));
+  if (scene.lubrication.enabled)
+    require(scene.lubrication.cutoff > 2 * scene.particles.roughness,
+            "{} (must be larger than 2 particles.roughness = {})", draft.says("lubrication.cutoff"),
+            metres(2 * scene.particles.roughness));
+}
+
+void check_flow(const SceneDraft& draft) {
+  const auto& flow = draft.scene.flow;
+  const auto& geometry = draft.scene.geometry;
+  if (draft.has("flow.velocity"))
+    require(
+        flow.source == FlowSource::uniform || draft.scene.flow.velocity == std::array<double, 3>{},
+        "{} (is only for flow.source = \"uniform\")", draft.says("flow.velocity"));
+  if (flow.source == FlowSource::openfoam)
+    require(flow.grid_spacing <= geometry.neck_width / 4,
+            "{} (must be at most a quarter of geometry.neck_width = {})",
+            draft.says("flow.grid_spacing"), metres(geometry.neck_width));
+  require(!flow.rescale || flow.source == FlowSource::openfoam,
+          "{} (is only for flow.source = \"openfoam\")", draft.says("flow.rescale"));
+  if (flow.pulsation.strength > 0) {
+    require(flow.pulsation.time > 0, "{} (needs flow.pulsation.time, e.g. \"6.6 ms\")",
+            draft.says("flow.pulsation.strength"));
+    require(flow.source != FlowSource::none, "{} (there is no flow to pulsate)",
+            draft.says("flow.pulsation.strength"));
+  }
+}
+
+void check_terms(const SceneDraft& draft) {
+  const Scene& scene = draft.scene;
+  const bool shape = scene.geometry.present && scene.geometry.neck_width > 0;
+  if (scene.drag.fluctuation.strength > 0) {
+    require(scene.drag.fluctuation.time > 0, "{} (needs drag.fluctuation.time, e.g. \"6.6 ms\")",
+            draft.says("drag.fluctuation.strength"));
+    require(scene.drag.enabled, "{} (needs drag)", draft.says("drag.fluctuation.strength"));
+  }
+  require(scene.porosity.strips == 0 || shape, "{} (strips need a [geometry] with neck_width)",
+          draft.says("porosity.strips"));
+  require(!scene.inlet.enabled || shape,
+          "{}: [inlet] is on (an inlet needs a [geometry] with neck_width)", draft.name);
+  const bool driven =
+      scene.flow.source != FlowSource::none || scene.body_force != std::array<double, 3>{};
+  require(
+      !scene.inlet.enabled || driven,
+      "{}: [inlet] is on (nothing carries particles away from it: give flow.source or body_force)",
+      draft.name);
+  require(scene.unclog.protocol == UnclogProtocol::none || shape,
+          "{} (needs a [geometry] with neck_width)", draft.says("unclog.protocol"));
+}
+
+void check_times(const SceneDraft& draft) {
+  const auto& time = draft.scene.time;
+  require(time.step <= time.end, "{} (must not exceed time.end = {} s)", draft.says("time.step"),
+          time.end);
+}
+
+}  // namespace
+
+void check_scene(const SceneDraft& draft) {
+  check_walls(draft);
+  check_particles(draft);
+  check_flow(draft);
+  check_terms(draft);
+  check_times(draft);
+}
+
+}  // namespace clog

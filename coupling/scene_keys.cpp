@@ -1,0 +1,196 @@
+// The key table. Names, dimensions, limits and one line of explanation; defaults that depend on
+// other keys are computed in scene_defaults.cpp.
+#include "coupling/scene_keys.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <fmt/format.h>
+
+namespace clog {
+namespace {
+
+constexpr Range any{};
+constexpr Range positive{.low = 0, .low_allowed = false};
+constexpr Range non_negative{.low = 0};
+constexpr Range fraction{.low = 0, .high = 1, .low_allowed = false};
+
+// A member of Scene is named as its key, so one spelling serves as both.
+#define AT(member) \
+  [](Scene & scene) -> auto& { return scene.member; }
+#define NUMBER(member, dimension, range, doc) \
+  Key { #member, NumberSlot{AT(member), dimension, range }, doc }
+#define ANGLE(member, doc) \
+  Key { #member, AngleSlot{AT(member) }, doc }
+#define VECTOR(member, dimension, doc) \
+  Key { #member, VectorSlot{AT(member), dimension }, doc }
+#define COUNT(member, range, doc) \
+  Key { #member, CountSlot{AT(member), range }, doc }
+#define SWITCH(member, doc) \
+  Key { #member, SwitchSlot{AT(member) }, doc }
+#define TEXT(member, doc) \
+  Key { #member, TextSlot{AT(member) }, doc }
+#define WORD(member, doc, ...)                                                            \
+  Key {                                                                                   \
+#member, WordSlot{{__VA_ARGS__},                                                        \
+                      [](const Scene& scene) { return static_cast<int>(scene.member); },    \
+                      [](Scene& scene, int word) {                                          \
+                        scene.member = static_cast<decltype(scene.member)>(word);           \
+                      }},                                                                   \
+        doc \
+  }
+
+// clang-format off
+std::vector<Key> make_keys() {
+  using namespace dimension;
+  return {
+      VECTOR(body_force, force, "on every particle, three forces; stands before the first section"),
+
+      NUMBER(geometry.neck_width, length, positive, "y extent of the neck, D"),
+      NUMBER(geometry.neck_height, length, positive, "z extent of neck and channel; default neck_width"),
+      NUMBER(geometry.channel_width, length, positive, "y extent of the wide channel; default 4 neck_width"),
+      NUMBER(geometry.channel_length, length, positive, "straight part upstream of the narrowing; default 10 neck_width"),
+      NUMBER(geometry.neck_length, length, positive, "straight part of the neck; default neck_width"),
+      ANGLE(geometry.half_angle, "of the narrowing, from the flow axis; 90 deg is a step"),
+      TEXT(geometry.stl, "walls from this STL file (in metres) instead of the shape above"),
+
+      VECTOR(box.min, length, "lower corner of plain walls around a laboratory scene"),
+      VECTOR(box.max, length, "upper corner"),
+
+      NUMBER(fluid.viscosity, viscosity, positive, "of the fluid"),
+      NUMBER(fluid.density, density, positive, "of the fluid"),
+
+      WORD(flow.source, "where the flow comes from; default openfoam with a [geometry], none without", "openfoam", "uniform", "none"),
+      NUMBER(flow.mean_velocity, velocity, positive, "mean over the wide channel"),
+      VECTOR(flow.velocity, velocity, "of a uniform flow: three velocities, or one along x"),
+      NUMBER(flow.mesh_cells_per_neck, number, (Range{.low = 4, .high = 400}), "mesh cells across the full neck width; default 24"),
+      NUMBER(flow.grid_spacing, length, positive, "of the regular grid; default neck_width / 32"),
+      WORD(flow.lookup, "how the grid is read", "nearest", "trilinear"),
+      SWITCH(flow.rescale, "scale the field to mean_velocity, so that one solution serves several velocities"),
+      NUMBER(flow.pulsation.strength, number, non_negative, "standard deviation of a random factor on the whole flow; default 0: off"),
+      NUMBER(flow.pulsation.time, time, positive, "its correlation time"),
+
+      NUMBER(particles.diameter, length, positive, "of a particle"),
+      NUMBER(particles.density, density, positive, "of the particles; default fluid.density"),
+      NUMBER(particles.roughness, length, positive, "xi; default 0.005 diameter"),
+      TEXT(particles.initial, "CSV file of initial particles: x,y,z,radius,vx,vy,vz,wx,wy,wz in SI units"),
+
+      NUMBER(contact.youngs_modulus, pressure, positive, "of the particles"),
+      NUMBER(contact.poisson_ratio, number, (Range{.low = 0, .high = 0.5, .high_allowed = false}), "of the particles"),
+      NUMBER(contact.restitution, number, fraction, "speed after over before a dry head-on impact; default 0.7"),
+      NUMBER(contact.tangential_factor, number, positive, "on the Mindlin stiffness; default 2/3"),
+      NUMBER(contact.tangential_damping, number, non_negative, "sliding, rolling and torsion damping over the normal one; default 1"),
+      WORD(contact.torsion_update, "how the torsion spring is advanced; doubling is an experiment", "objective", "doubling"),
+      NUMBER(contact.friction.sliding, number, non_negative, "Coulomb coefficient; default 0"),
+      NUMBER(contact.friction.rolling, number, non_negative, "default 0"),
+      NUMBER(contact.friction.torsion, number, non_negative, "default 0"),
+      NUMBER(contact.wall_friction.sliding, number, non_negative, "default: as between particles"),
+      NUMBER(contact.wall_friction.rolling, number, non_negative, "default: as between particles"),
+      NUMBER(contact.wall_friction.torsion, number, non_negative, "default: as between particles"),
+      NUMBER(contact.wall_youngs_modulus, pressure, positive, "default: as the particles"),
+      NUMBER(contact.wall_poisson_ratio, number, (Range{.low = 0, .high = 0.5, .high_allowed = false}), "default: as the particles"),
+
+      SWITCH(lubrication.enabled, "default true when the section is present"),
+      WORD(lubrication.below_roughness, "for gaps below 2 roughness: no force, or the force at 2 roughness", "off", "clamp"),
+      SWITCH(lubrication.walls, "between particles and walls too; default false"),
+      NUMBER(lubrication.cutoff, length, positive, "largest gap; default diameter / 2"),
+
+      SWITCH(drag.enabled, "default true when the section is present"),
+      WORD(drag.velocity, "what f(porosity) multiplies", "interstitial", "superficial"),
+      SWITCH(drag.viscous_torque, "default false"),
+      NUMBER(drag.fluctuation.strength, number, non_negative, "standard deviation over mean drag; default 0: off"),
+      NUMBER(drag.fluctuation.time, time, positive, "its correlation time"),
+
+      COUNT(porosity.strips, (Range{.low = 0, .high = 1000}), "strips along the upstream channel; default 3 when the section is present, else 0: porosity 1"),
+      NUMBER(porosity.update_interval, time, non_negative, "0: every step; default a thousandth of the Stokes time"),
+
+      SWITCH(inlet.enabled, "default true when the section is present"),
+      WORD(inlet.start, "channel filled behind a gate before time 0, or empty", "filled", "empty"),
+      NUMBER(inlet.rate, rate, non_negative, "largest number of insertions per time; default 0: as many as fit"),
+
+      WORD(unclog.protocol, "what ends a clog: nothing, or a moment without friction", "none", "release"),
+      NUMBER(unclog.after, time, positive, "nothing passed for this long; default 5 Stokes times"),
+      NUMBER(unclog.duration, time, positive, "friction is off for this long; default 1.5 ms"),
+
+      NUMBER(time.end, time, positive, "simulated time"),
+      NUMBER(time.step, time, positive, "fixed step instead of step_fraction"),
+      NUMBER(time.step_fraction, number, fraction, "of the Hertz contact time; default 0.02"),
+      NUMBER(time.mass_scale, number, positive, "numerical mass over true mass; default 1"),
+      NUMBER(time.rotational_inertia_scale, number, positive, "numerical moment of inertia over true one; default 1"),
+      WORD(time.integrator, "time integration", "verlet"),
+
+      NUMBER(passages.plane, length, any, "x that a particle must cross; default the middle of the neck"),
+
+      NUMBER(output.snapshot_interval, time, non_negative, "default 0: no snapshots"),
+      NUMBER(output.series_interval, time, positive, "default a tenth of the Stokes time"),
+      NUMBER(output.checkpoint_interval, time, positive, "of wall-clock time; default 60 s"),
+
+      TEXT(fidelity.preset, "named set of cheaper or better numerics; default none"),
+      NUMBER(fidelity.tolerance, number, (Range{.low = 0, .high = 1, .high_allowed = false}), "wanted accuracy; default 0: none"),
+
+      Key{"ensemble.seeds", SeedsSlot{AT(ensemble.seeds)}, "random seeds, one run each: \"1-40\" or [1, 2, 3]; default 1"},
+  };
+}
+// clang-format on
+
+// Levenshtein's distance, one row at a time.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, replaced});
+    }
+  }
+  return row.back();
+}
+
+std::string_view last_name(std::string_view path) { return path.substr(path.rfind('.') + 1); }
+
+}  // namespace
+
+std::string Range::words() const {
+  if (std::isinf(high) && std::isinf(low)) return "must be a finite number";
+  if (std::isinf(high)) return fmt::format("must be {} {}", low_allowed ? ">=" : ">", low);
+  return fmt::format("must be in {}{}, {}{}", low_allowed ? '[' : '(', low, high,
+                     high_allowed ? ']' : ')');
+}
+
+const std::vector<Key>& scene_keys() {
+  static const std::vector<Key> keys = make_keys();
+  return keys;
+}
+
+const Key* find_key(std::string_view path) {
+  for (const Key& key : scene_keys())
+    if (key.path == path) return &key;
+  return nullptr;
+}
+
+std::string_view section_of(std::string_view path) {
+  const std::size_t dot = path.find('.');
+  return dot == std::string_view::npos ? std::string_view{} : path.substr(0, dot);
+}
+
+bool is_section(std::string_view path) {
+  return std::ranges::any_of(scene_keys(), [path](const Key& key) {
+    return key.path.size() > path.size() && key.path.starts_with(path) &&
+           key.path[path.size()] == '.';
+  });
+}
+
+std::string_view nearest_key(std::string_view path) {
+  // A right name in a wrong section must win over a similar path, hence the second measure.
+  const auto distance = [path](const Key& key) {
+    const std::size_t leaf = edit_distance(last_name(path), last_name(key.path));
+    return std::min(edit_distance(path, key.path), 2 + leaf + leaf);
+  };
+  return std::ranges::min_element(scene_keys(), {}, distance)->path;
+}
+
+}  // namespace clog
