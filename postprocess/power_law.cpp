@@ -46,25 +46,39 @@ PowerLawTail power_law_tail(const SortedSample& sample, std::size_t first, doubl
   return {first, log_xmin, 1.0 + n / (sample.sum_of_logarithms(first) - n * log_xmin)};
 }
 
+std::string obstacle(const SortedSample& sample, std::optional<double> xmin) {
+  const double largest = sample.value(sample.size() - 1);
+  if (!xmin) {
+    if (sample.size() < smallest_sample) {
+      return fmt::format("{} values (a fit needs at least {})", sample.size(), smallest_sample);
+    }
+    if (!has_exponent(tail_at(sample, 0))) {
+      return fmt::format("all {} values equal {} (no power law describes them)", sample.size(), largest);
+    }
+    return {};
+  }
+  if (!std::isfinite(*xmin) || *xmin <= 0) return fmt::format("xmin = {} (must be positive)", *xmin);
+  const std::size_t first = sample.lower_bound(*xmin);
+  if (sample.size() - first < 2) {
+    return fmt::format("xmin = {} leaves {} of {} values (a power law needs two or more); the largest is {}",
+                       *xmin, sample.size() - first, sample.size(), largest);
+  }
+  if (!has_exponent(power_law_tail(sample, first, *xmin))) {
+    return fmt::format("all values from xmin = {} on equal it (no power law describes them)", *xmin);
+  }
+  return {};
+}
+
 PowerLawFit fit_power_law(const SortedSample& sample, double xmin) {
-  require(std::isfinite(xmin) && xmin > 0, "xmin = {} (must be positive)", xmin);
-  const std::size_t first = sample.lower_bound(xmin);
-  require(sample.size() - first >= 2,
-          "xmin = {} leaves {} values (a power law needs two or more): the largest value is {}", xmin,
-          sample.size() - first, sample.value(sample.size() - 1));
-  const PowerLawTail tail = power_law_tail(sample, first, xmin);
-  require(sample.value(sample.size() - 1) > xmin && has_exponent(tail),
-          "all values from xmin = {} on equal it (no power law describes them): choose a smaller xmin",
-          xmin);
-  return described(sample, tail, xmin);
+  const std::string why_not = obstacle(sample, xmin);
+  require(why_not.empty(), "{}", why_not);
+  return described(sample, power_law_tail(sample, sample.lower_bound(xmin), xmin), xmin);
 }
 
 PowerLawFit fit_power_law(const SortedSample& sample) {
-  require(sample.size() >= smallest_sample, "{} values (a fit needs at least {})", sample.size(),
-          smallest_sample);
+  const std::string why_not = obstacle(sample, {});
+  require(why_not.empty(), "{}", why_not);
   const auto& distinct = sample.distinct();
-  require(distinct.size() >= 2, "all {} values equal {} (no power law describes them)", sample.size(),
-          sample.value(0));
   const std::size_t candidates = distinct.size() - 1;
   KsDistance distance(sample);
   Candidate best;
@@ -76,7 +90,6 @@ PowerLawFit fit_power_law(const SortedSample& sample) {
   };
   for (std::size_t k = 0; k < first_looks; ++k) look_at(distinct[candidates * k / first_looks]);
   for (std::size_t k = 0; k < candidates; ++k) look_at(distinct[k]);
-  require(std::isfinite(best.distance), "the values differ by rounding only (no power law describes them)");
   return described(sample, tail_at(sample, best.first), sample.value(best.first));
 }
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <string>
 
 #include "postprocess/ks_distance.hpp"
 #include "postprocess/sorted_sample.hpp"
@@ -30,13 +32,16 @@ inline constexpr const char* rule_for_ties =
 /// \source Clauset, Shalizi & Newman 2009, SIAM Rev. 51:661, Eq. (3.1)
 PowerLawTail power_law_tail(const SortedSample& sample, std::size_t first, double xmin);
 
+/// Why this sample has no fit (with this x_min, if given), or nothing: for callers that go on without.
+std::string obstacle(const SortedSample& sample, std::optional<double> xmin);
+
 /// Fit of the values >= xmin.   sigma = (alpha - 1)/sqrt(n), Eq. (3.2)
-/// \throws Error when fewer than two values reach xmin, or all of those equal it
+/// \throws Error with the obstacle: fewer than two values reach xmin, or all of those equal it
 PowerLawFit fit_power_law(const SortedSample& sample, double xmin);
 
 /// Fit with the x_min, among all distinct values but the largest, whose tail has the smallest
 /// Kolmogorov-Smirnov distance (the smallest such x_min when several share it). Exact.
-/// \throws Error on fewer than smallest_sample values, or when all are equal
+/// \throws Error with the obstacle: fewer than smallest_sample values, or all are equal
 /// \source Clauset et al. 2009, sec. 3.3
 PowerLawFit fit_power_law(const SortedSample& sample);
 

@@ -1,0 +1,19 @@
+// An effective scene as key and value text: what two runs have in common, and what a sweep varies.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace clog::postprocess {
+
+/// "section.key" -> value as written; only for the text that effective_scene produces.
+using SceneLines = std::map<std::string, std::string>;
+
+/// Leaves out the sections `ensemble` and `output`: they do not change what happens in a run.
+SceneLines scene_lines(const std::string& effective_scene);
+
+/// Keys that are not the same in both.
+std::vector<std::string> differing_keys(const SceneLines& a, const SceneLines& b);
+
+}  // namespace clog::postprocess

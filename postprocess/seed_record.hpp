@@ -1,0 +1,49 @@
+// What one run contributes to the statistics of its ensemble, without its bulky parts.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "coupling/run_file.hpp"
+#include "coupling/scene.hpp"
+#include "postprocess/bursts.hpp"
+#include "postprocess/lapses.hpp"
+
+namespace clog::postprocess {
+
+/// Times that decide what a clog is.
+struct ClogScale {
+  double tau = 0;        ///< Stokes time d/v of the scene [s]
+  double threshold = 0;  ///< T_min: a longer lapse is a clog [s]
+};
+
+/// Means over the second half of the window: the packed state.
+struct SteadyState {
+  double particles = 0;         ///< in the domain [-]
+  double packing_fraction = 0;  ///< of the channel upstream [-]
+  std::vector<double> porosity; ///< one a strip, in the direction of flow [-]
+  std::size_t samples = 0;      ///< rows of the series it rests on; 0: the rest is NaN
+};
+
+struct SeedRecord {
+  std::uint64_t seed = 0;
+  std::filesystem::path file;
+  Window window;
+  UnclogProtocol protocol = UnclogProtocol::none;
+  std::size_t passages = 0;    ///< in the window, those while friction was off included
+  std::size_t while_off = 0;   ///< passages while friction was off
+  std::size_t releases = 0;
+  std::vector<Lapse> lapses;
+  std::vector<Burst> bursts;   ///< as the scene's unclog.protocol defines them
+  SteadyState steady;
+  double filling_time = 0;     ///< measured (start = "empty") or as the solver says (start = "filled") [s]
+};
+
+SeedRecord record_of(const RunData& run, const Scene& scene, const ClogScale& scale);
+
+/// When the channel is full: 0 for start = "filled"; for start = "empty" the first time at which the
+/// number of particles reaches 95 % of its median over the second half of the run.
+double end_of_filling(const RunData& run, const Scene& scene);
+
+}  // namespace clog::postprocess
