@@ -16,7 +16,7 @@ enum class BelowRoughness { off, clamp };
 enum class DragVelocity { interstitial, superficial };
 enum class InletStart { filled, empty };
 enum class UnclogProtocol { none, release };
-enum class Integrator { verlet };
+enum class Integrator { verlet, implicit_drag };
 
 struct Friction {
   double sliding = 0;  ///< [-]

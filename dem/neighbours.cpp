@@ -42,18 +42,19 @@ Memory remember(const Neighbours& list, const std::vector<int>& renumbered, std:
 
 std::vector<int> Neighbours::rebuild(Particles& p, const std::vector<std::uint8_t>& leaving,
                                      const Reach& reach) {
-  const double radius = p.size() ? *std::max_element(p.radius.begin(), p.radius.end()) : 0;
-  const Cells all(p, 2 * radius + reach.lubrication + reach.skin);
-  std::vector<int> order;
-  for (int i : all.order())
-    if (leaving.empty() || !leaving[i]) order.push_back(i);
+  std::vector<int> staying;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    if (leaving.empty() || !leaving[i]) staying.push_back(static_cast<int>(i));
   std::vector<int> renumbered(p.size(), -1);
-  for (std::size_t k = 0; k < order.size(); ++k) renumbered[order[k]] = static_cast<int>(k);
-  const Memory memory = remember(*this, renumbered, order.size());
-  p.reorder(order);
+  p.reorder(staying);
+  const double radius = p.size() ? *std::max_element(p.radius.begin(), p.radius.end()) : 0;
+  const Cells cells(p, 2 * radius + reach.lubrication + reach.skin);
+  p.reorder(cells.order());
+  for (std::size_t k = 0; k < staying.size(); ++k)
+    renumbered[staying[cells.order()[k]]] = static_cast<int>(k);
+  const Memory memory = remember(*this, renumbered, p.size());
 
   first.clear(), second.clear(), far_first.clear(), far_second.clear();
-  const Cells cells(p, 2 * radius + reach.lubrication + reach.skin);
   cells.for_each_pair([&](int i, int j) {
     const double dx = p.x[i] - p.x[j], dy = p.y[i] - p.y[j], dz = p.z[i] - p.z[j];
     const double distance2 = dx * dx + dy * dy + dz * dz;

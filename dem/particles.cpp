@@ -39,4 +39,11 @@ void Particles::clear_loads() {
   for (auto* load : {&fx, &fy, &fz, &tx, &ty, &tz}) std::fill(load->begin(), load->end(), 0.0);
 }
 
+ParticlePointers pointers(Particles& p) {
+  return {p.radius.data(), p.mass.data(), p.inertia.data(), p.x.data(),  p.y.data(),  p.z.data(),
+          p.vx.data(),     p.vy.data(),   p.vz.data(),      p.wx.data(), p.wy.data(), p.wz.data(),
+          p.fx.data(),     p.fy.data(),   p.fz.data(),      p.tx.data(), p.ty.data(), p.tz.data(),
+          p.size()};
+}
+
 }  // namespace clog

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "dem/kernels.hpp"
+
 namespace clog {
 
 /// State of one particle, for adding and reading.
@@ -34,5 +36,8 @@ struct Particles {
   void reorder(const std::vector<int>& order);
   void clear_loads();
 };
+
+/// The arrays as the kernels see them; valid until particles are added or reordered.
+ParticlePointers pointers(Particles& particles);
 
 }  // namespace clog

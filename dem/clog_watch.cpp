@@ -1,0 +1,52 @@
+#include "dem/clog_watch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dem/quantile.hpp"
+
+namespace clog {
+
+namespace {
+
+/// A clog at rest still holds a few rattlers that the flow keeps turning.
+constexpr double slow_share = 0.9;
+
+/// Length of channel, in neck widths, in which arches stand.
+constexpr double clog_reach = 3;
+
+/// Share of tau between two looks at the speeds.
+constexpr double look_share = 0.1;
+
+/// A creeping pack moves by a thousandth of a diameter while the flow moves by a diameter.
+constexpr double rest_share = 1e-3;
+
+}  // namespace
+
+double rest_speed(const Scene& scene) { return rest_share * scene.flow.mean_velocity; }
+
+ClogState clog_state(const Particles& p, const Scene& scene) {
+  std::vector<double> near, all;
+  ClogState state{0, 0, -1e300};
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (p.x[i] >= scene.passages.plane) continue;
+    const double speed = std::sqrt(p.vx[i] * p.vx[i] + p.vy[i] * p.vy[i] + p.vz[i] * p.vz[i]);
+    all.push_back(speed);
+    if (p.x[i] > -clog_reach * scene.geometry.neck_width) near.push_back(speed);
+    state.position = std::max(state.position, p.x[i]);
+  }
+  std::vector<double>& speeds = near.empty() ? all : near;
+  if (speeds.empty()) return {0, 0, 0};
+  state.largest_speed = *std::max_element(speeds.begin(), speeds.end());
+  state.quantile_speed = quantile(speeds, slow_share);
+  return state;
+}
+
+ClogWatch::ClogWatch(const Scene& scene)
+    : enabled_(scene.unclog.protocol == UnclogProtocol::release),
+      after_(scene.unclog.after),
+      duration_(scene.unclog.duration),
+      look_interval_(look_share * scene.stokes_time()),
+      rest_speed_(clog::rest_speed(scene)) {}
+
+}  // namespace clog

@@ -1,0 +1,42 @@
+// The undisturbed fluid velocity V0 at a place.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "coupling/flow_grid.hpp"
+#include "coupling/scene.hpp"
+
+namespace clog {
+
+/// V0 from the grid, by the nearest point as in the paper or trilinear; or the same everywhere. The
+/// grid is shared between runs: the field is read only. Outside the grid its nearest face counts.
+class FlowField {
+public:
+  /// No fluid moves.
+  FlowField() = default;
+  explicit FlowField(const std::array<double, 3>& uniform) : uniform_(uniform) {}
+  FlowField(const FlowGrid& grid, Lookup lookup);
+
+  /// V0 [m/s]
+  std::array<double, 3> at(double x, double y, double z) const;
+
+  /// Half the curl of V0, the spin of a lone sphere carried along, by central differences over one
+  /// spacing [rad/s]
+  std::array<double, 3> half_vorticity(double x, double y, double z) const;
+
+  /// Largest speed in the field [m/s]
+  double largest_speed() const { return largest_speed_; }
+
+private:
+  std::array<double, 3> nearest(const double* place) const;
+  std::array<double, 3> trilinear(const double* place) const;
+  const float* point(int i, int j, int k) const { return grid_->velocity.data() + 3 * grid_->index(i, j, k); }
+
+  const FlowGrid* grid_ = nullptr;
+  Lookup lookup_ = Lookup::nearest;
+  std::array<double, 3> uniform_{};
+  double largest_speed_ = 0;
+};
+
+}  // namespace clog

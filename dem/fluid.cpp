@@ -1,0 +1,58 @@
+#include "dem/fluid.hpp"
+
+#include "dem/physics/drag.hpp"
+
+namespace clog {
+
+Fluid::Fluid(const Scene& scene, FlowField field, PorosityStrips strips)
+    : field_(std::move(field)),
+      strips_(std::move(strips)),
+      viscosity_(scene.fluid.viscosity),
+      drag_(scene.drag.enabled),
+      superficial_(scene.drag.velocity == DragVelocity::superficial),
+      viscous_torque_(scene.drag.viscous_torque) {}
+
+void Fluid::evaluate(const Particles& p) {
+  if (!drag_) return;
+  // Per strip: 1 / eps, and f(eps) with the factor eps of the superficial velocity.
+  const std::size_t strips = strips_.empty() ? 1 : strips_.porosity().size();
+  std::vector<double> speed_up(strips, 1.0), factor(strips, 1.0);
+  for (std::size_t k = 0; k < strips_.porosity().size(); ++k) {
+    const double porosity = strips_.porosity()[k];
+    speed_up[k] = 1 / porosity;
+    factor[k] = voidage_function(porosity) * (superficial_ ? porosity : 1.0);
+  }
+  for (auto* values : {&ux_, &uy_, &uz_, &coefficient_}) values->resize(p.size());
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const int strip = strips_.empty() ? 0 : strips_.strip_at(p.x[i]);
+    const auto u = field_.at(p.x[i], p.y[i], p.z[i]);
+    ux_[i] = speed_up[strip] * u[0];
+    uy_[i] = speed_up[strip] * u[1];
+    uz_[i] = speed_up[strip] * u[2];
+    coefficient_[i] = factor[strip] * stokes_coefficient(viscosity_, 2 * p.radius[i]);
+  }
+  if (!viscous_torque_) return;
+  for (auto* values : {&turn_, &sx_, &sy_, &sz_}) values->resize(p.size());
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const auto spin = field_.half_vorticity(p.x[i], p.y[i], p.z[i]);
+    sx_[i] = spin[0], sy_[i] = spin[1], sz_[i] = spin[2];
+    turn_[i] = stokes_torque_coefficient(viscosity_, 2 * p.radius[i]);
+  }
+}
+
+void Fluid::attach(AdvanceTask& task) const {
+  if (!drag_) return;
+  task.ux = ux_.data(), task.uy = uy_.data(), task.uz = uz_.data();
+  task.drag = coefficient_.data();
+  if (!viscous_torque_) return;
+  task.turn = turn_.data();
+  task.sx = sx_.data(), task.sy = sy_.data(), task.sz = sz_.data();
+}
+
+Vector<double> Fluid::drag_force(int i, const Vector<double>& v) const {
+  if (!drag_) return {0, 0, 0};
+  const double c = coefficient_[i];
+  return {c * (ux_[i] - v.x), c * (uy_[i] - v.y), c * (uz_[i] - v.z)};
+}
+
+}  // namespace clog

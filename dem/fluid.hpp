@@ -1,0 +1,46 @@
+// What the fluid does to the particles: velocity and drag coefficient for each of them.
+#pragma once
+
+#include <vector>
+
+#include "coupling/scene.hpp"
+#include "dem/flow_field.hpp"
+#include "dem/kernels.hpp"
+#include "dem/particles.hpp"
+#include "dem/porosity_strips.hpp"
+
+namespace clog {
+
+/// Drag in the flow corrected for porosity, paper Eq. (4):
+///   F_i = c_i (u - v_i),  c_i = f(eps) 3 pi eta d_i,  u = V0(x_i) / eps.
+/// With the superficial velocity the drag is f(eps) 3 pi eta d (V0 - eps v_i), that is c eps in the
+/// place of c. Published as the total fluid force: no separate pressure gradient force.
+class Fluid {
+public:
+  Fluid(const Scene& scene, FlowField field, PorosityStrips strips);
+
+  /// Measures the porosity anew.
+  void update_porosity(const Particles& particles) { if (!strips_.empty()) strips_.update(particles); }
+
+  /// Fills velocity and drag of every particle. Does nothing when the scene has no drag.
+  void evaluate(const Particles& particles);
+
+  /// Points a task to what evaluate() filled.
+  void attach(AdvanceTask& task) const;
+
+  /// Drag force on particle i if it moves with the velocity given [N]; after evaluate().
+  Vector<double> drag_force(int i, const Vector<double>& velocity) const;
+
+  const FlowField& field() const { return field_; }
+  const PorosityStrips& strips() const { return strips_; }
+
+private:
+  FlowField field_;
+  PorosityStrips strips_;
+  double viscosity_;
+  bool drag_, superficial_, viscous_torque_;
+  std::vector<double> ux_, uy_, uz_, coefficient_;
+  std::vector<double> turn_, sx_, sy_, sz_;
+};
+
+}  // namespace clog

@@ -1,0 +1,44 @@
+// Seeded insertion at the left end of the channel, and the random packing a filled start begins with.
+#pragma once
+
+#include <cstdint>
+
+#include "dem/fluid.hpp"
+#include "dem/model.hpp"
+#include "dem/particles.hpp"
+#include "dem/random.hpp"
+
+namespace clog {
+
+/// Inserts spheres at random places in a slab at the left end, as many as fit, never overlapping
+/// another sphere or a wall. Attempts are bounded per call and counted.
+class Inlet {
+public:
+  explicit Inlet(const Model& model);
+
+  bool enabled() const { return enabled_; }
+
+  /// Time between two calls of insert(): the flow moves by a small part of a diameter [s].
+  double interval() const { return interval_; }
+
+  /// The time that inlet.rate counts from begins again at 0.
+  void restart_clock() { fed_ = 0; }
+
+  /// Tries to insert at time t. \return number inserted
+  int insert(Particles& particles, const Fluid& fluid, Random& random, double time);
+
+  /// Fills the straight channel at random, loosely: the flow then packs it against the gate.
+  void scatter(Particles& particles, Random& random);
+
+  std::int64_t inserted() const { return next_id_; }
+  std::int64_t refused() const { return refused_; }  ///< attempts that found no room
+
+private:
+  const Model* model_;
+  bool enabled_;
+  double interval_ = 0, rate_;
+  Vec3 low_, high_;  // corners of the slab for the whole sphere [m]
+  std::int64_t next_id_ = 0, refused_ = 0, fed_ = 0;
+};
+
+}  // namespace clog

@@ -1,0 +1,194 @@
+#include "dem/model.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "coupling/channel_geometry.hpp"
+#include "coupling/channel_shape.hpp"
+#include "coupling/require.hpp"
+#include "coupling/stl.hpp"
+#include "dem/physics/porosity.hpp"
+#include "dem/physics/time_step.hpp"
+
+namespace clog {
+
+namespace {
+
+/// Distance that two particles may approach each other before the pair list is made anew, as a share
+/// of the diameter: the cheapest for this solver between 0.05 and 0.3 on the paper's scene.
+constexpr double skin_share = 0.1;
+
+ContactLaw contact_law(const Scene& scene, const Material& other, const Friction& friction) {
+  const auto& c = scene.contact;
+  const Material own{c.youngs_modulus, c.poisson_ratio};
+  ContactLaw law;
+  law.modulus = effective_modulus(own, other);
+  law.shear_modulus = effective_shear_modulus(own, other);
+  law.tangential_factor = c.tangential_factor;
+  law.gamma = damping_constant(c.restitution);
+  // Both dashpots are gamma sqrt(m* k) with their own stiffness, times the scene's ratio.
+  law.tangential_damping =
+      c.tangential_damping *
+      std::sqrt(mindlin_stiffness(law.tangential_factor, law.shear_modulus, 1.0) /
+                hertz_stiffness(law.modulus, 1.0));
+  law.sliding_friction = friction.sliding;
+  law.rolling_friction = friction.rolling;
+  law.torsion_friction = friction.torsion;
+  law.torsion_memory = c.torsion_update == TorsionUpdate::doubling ? 2 : 1;
+  return law;
+}
+
+ContactTerms contact_terms(const Friction& friction) {
+  return {friction.sliding > 0, friction.rolling > 0, friction.torsion > 0};
+}
+
+LubricationLaw lubrication_law(const Scene& scene) {
+  if (!scene.lubrication.enabled) return {};
+  return {scene.fluid.viscosity, 2 * scene.particles.roughness, scene.lubrication.cutoff,
+          scene.lubrication.below_roughness == BelowRoughness::clamp};
+}
+
+/// A rectangle as two triangles; corners in order around it, counter-clockwise from the fluid.
+void add_rectangle(Walls& walls, const std::array<Vec3, 4>& c) {
+  walls.push_back({{c[0], c[1], c[2]}});
+  walls.push_back({{c[0], c[2], c[3]}});
+}
+
+/// A wall across the channel at x whose normal points along `facing` (+1 or -1).
+Walls cross_wall(double x, double width, double height, int facing) {
+  const double y = width / 2;
+  std::array<Vec3, 4> corner{Vec3{x, -y, 0}, Vec3{x, y, 0}, Vec3{x, y, height}, Vec3{x, -y, height}};
+  if (facing < 0) std::swap(corner[1], corner[3]);
+  Walls walls;
+  add_rectangle(walls, corner);
+  return walls;
+}
+
+Walls box_walls(const Vec3& low, const Vec3& high) {
+  Walls walls;
+  for (int a = 0; a < 3; ++a)
+    for (const bool upper : {false, true}) {
+      const int b = (a + 1) % 3, c = (a + 2) % 3;
+      std::array<Vec3, 4> corner;
+      for (Vec3& v : corner) v[a] = upper ? high[a] : low[a];
+      const double lb = low[b], hb = high[b], lc = low[c], hc = high[c];
+      corner[0][b] = lb, corner[1][b] = hb, corner[2][b] = hb, corner[3][b] = lb;
+      corner[0][c] = lc, corner[1][c] = lc, corner[2][c] = hc, corner[3][c] = hc;
+      if (upper) std::swap(corner[1], corner[3]);
+      add_rectangle(walls, corner);
+    }
+  return walls;
+}
+
+void enclose(Domain& domain, const Walls& walls) {
+  domain.low = Vec3::Constant(1e300), domain.high = Vec3::Constant(-1e300);
+  for (const Triangle& t : walls)
+    for (const Vec3& corner : t.corner)
+      domain.low = domain.low.cwiseMin(corner), domain.high = domain.high.cwiseMax(corner);
+}
+
+/// Walls and limits: the box of a laboratory, the file's walls, or the parametric channel with a
+/// closed left end, so that no particle leaves against the flow.
+void build_walls(Model& model, const FlowGrid* flow) {
+  const Scene& s = model.scene;
+  if (s.box.present) {
+    model.walls = box_walls(Vec3(s.box.min.data()), Vec3(s.box.max.data()));
+    enclose(model.domain, model.walls);
+  }
+  if (!s.geometry.present) return;
+  if (s.geometry.stl.empty()) {
+    const Walls channel = flow ? flow->walls : channel_walls(s);
+    model.walls.insert(model.walls.end(), channel.begin(), channel.end());
+    const Walls end = cross_wall(channel_start(s), s.geometry.channel_width, s.geometry.neck_height, 1);
+    model.walls.insert(model.walls.end(), end.begin(), end.end());
+    model.gate = cross_wall(0, s.geometry.neck_width, s.geometry.neck_height, -1);
+    enclose(model.domain, model.walls);
+    model.domain.outlet = s.geometry.neck_length;
+    model.domain.passage = s.passages.plane;
+  } else {
+    const Walls stl = read_stl(s.geometry.stl);
+    model.walls.insert(model.walls.end(), stl.begin(), stl.end());
+    enclose(model.domain, model.walls);
+    if (flow) model.domain.outlet = model.domain.high.x();
+    if (s.passages.plane != 0) model.domain.passage = s.passages.plane;
+  }
+}
+
+/// v in v_c = 0.1 v, or the fastest initial particle as v_c where nothing flows.
+double collision_speed(const Scene& scene, const std::vector<Particle>& initial) {
+  const auto& u = scene.flow.velocity;
+  const double uniform = std::hypot(u[0], u[1], u[2]);
+  if (scene.flow.mean_velocity > 0) return collision_speed_share * scene.flow.mean_velocity;
+  if (uniform > 0) return collision_speed_share * uniform;
+  double fastest = 0;
+  for (const Particle& p : initial) fastest = std::max(fastest, std::hypot(p.vx, p.vy, p.vz));
+  return fastest;
+}
+
+void choose_step(Model& model, const std::vector<Particle>& initial) {
+  const Scene& s = model.scene;
+  double smallest = s.particles.diameter;
+  for (const Particle& p : initial) smallest = std::min(smallest, 2 * p.radius);
+  const double speed = collision_speed(s, initial);
+  if (speed > 0)
+    model.contact_time =
+        hertz_contact_time({s.particles.density * s.time.mass_scale,
+                            std::max(model.pair_law.modulus, model.wall_laws.contact.modulus),
+                            smallest, speed});
+  model.dt = s.time.step;
+  if (model.dt == 0) {
+    require(speed > 0, "time.step is missing (nothing moves in this scene, so no contact time can be "
+                       "derived): give time.step, e.g. \"1e-7 s\"");
+    const double largest = s.time.step_fraction * model.contact_time;
+    model.dt = s.time.end / std::ceil(s.time.end / largest);
+  }
+  model.steps = static_cast<std::int64_t>(std::llround(std::ceil(s.time.end / model.dt - 1e-9)));
+}
+
+}  // namespace
+
+Particle Model::particle(double radius) const {
+  Particle p;
+  p.radius = radius;
+  p.mass = scene.particles.density * sphere_volume(radius) * scene.time.mass_scale;
+  p.inertia = 0.4 * p.mass * radius * radius * scene.time.rotational_inertia_scale;
+  return p;
+}
+
+Model make_model(const Scene& scene, const FlowGrid* flow, const std::vector<Particle>& initial) {
+  Model model;
+  model.scene = scene;
+  const auto& c = scene.contact;
+  model.pair_law = contact_law(scene, {c.youngs_modulus, c.poisson_ratio}, c.friction);
+  model.pair_terms = contact_terms(c.friction);
+  model.lubrication = lubrication_law(scene);
+  model.wall_laws.contact =
+      contact_law(scene, {c.wall_youngs_modulus, c.wall_poisson_ratio}, c.wall_friction);
+  model.wall_laws.terms = contact_terms(c.wall_friction);
+  if (scene.lubrication.walls) model.wall_laws.lubrication = model.lubrication;
+  model.reach = {skin_share * scene.particles.diameter, model.lubrication.farthest};
+  build_walls(model, flow);
+  choose_step(model, initial);
+  model.wall_laws.dt = model.dt;
+  return model;
+}
+
+Fluid make_fluid(const Scene& scene, const FlowGrid* flow) {
+  FlowField field;
+  if (scene.flow.source == FlowSource::uniform) field = FlowField(scene.flow.velocity);
+  if (scene.flow.source == FlowSource::openfoam) {
+    require(flow != nullptr, "flow.source = \"openfoam\" needs the flow: give --flow flow.h5");
+    field = FlowField(*flow, scene.flow.lookup);
+  }
+  PorosityStrips strips;
+  if (scene.porosity.strips > 0 && scene.geometry.present) {
+    const double start = channel_start(scene), step = -start / scene.porosity.strips;
+    std::vector<double> volumes;
+    for (int k = 0; k < scene.porosity.strips; ++k)
+      volumes.push_back(channel_volume(scene, start + k * step, start + (k + 1) * step));
+    strips = PorosityStrips(start, 0, volumes);
+  }
+  return {scene, std::move(field), std::move(strips)};
+}
+
+}  // namespace clog

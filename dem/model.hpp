@@ -1,0 +1,44 @@
+// The scene turned into what the solver needs: laws, steps, walls, limits. Constant during a run.
+#pragma once
+
+#include "coupling/flow_grid.hpp"
+#include "coupling/scene.hpp"
+#include "dem/fluid.hpp"
+#include "dem/kernels.hpp"
+#include "dem/neighbours.hpp"
+#include "dem/wall_contacts.hpp"
+
+namespace clog {
+
+/// Where particles may be, and where they leave.
+struct Domain {
+  Vec3 low = Vec3::Constant(-1e300), high = Vec3::Constant(1e300);  ///< [m]
+  double outlet = 1e300;   ///< particles beyond this x are taken out [m]
+  double passage = 1e300;  ///< x of the plane whose crossings count [m]
+};
+
+struct Model {
+  Scene scene;
+  ContactLaw pair_law;
+  ContactTerms pair_terms{};
+  LubricationLaw lubrication;
+  WallLaws wall_laws;
+  Reach reach;
+  Walls walls, gate;  ///< the gate closes the neck while the channel is filled
+  Domain domain;
+  double contact_time = 0;  ///< tau_Hertz [s]
+  double dt = 0;            ///< [s]
+  std::int64_t steps = 0;
+
+  /// A particle at rest, masses scaled as the scene says.
+  Particle particle(double radius) const;
+};
+
+/// \param flow  nullptr unless flow.source is "openfoam"
+/// \throws Error if the flow file is missing or belongs to another scene, or no time step follows
+Model make_model(const Scene& scene, const FlowGrid* flow, const std::vector<Particle>& initial);
+
+/// The fluid as the scene wants it, on the grid if there is one.
+Fluid make_fluid(const Scene& scene, const FlowGrid* flow);
+
+}  // namespace clog

@@ -1,0 +1,257 @@
+#include "dem/simulation.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+
+#include "coupling/require.hpp"
+#include "dem/initial_particles.hpp"
+#include "dem/quantile.hpp"
+
+namespace clog {
+
+namespace {
+
+/// A particle that moves farther than this share of its radius in one step has been thrown.
+constexpr double longest_way = 0.5;
+
+/// An overlap beyond this share of the radius has no meaning in Hertz's theory.
+constexpr double deepest_overlap = 0.5;
+
+/// The channel counts as full when nothing was inserted for this many tau and it is at rest.
+constexpr double full_after = 1.0;
+
+/// Filling takes about as long as the flow needs to pass the channel twice; beyond this many passages
+/// it will not come to rest at all.
+constexpr double longest_fill = 10;
+
+/// Steps between two calls of the watcher.
+constexpr std::int64_t watch_every = 256;
+
+double largest_radius(const Model& model, const Particles& particles) {
+  double radius = model.scene.inlet.enabled ? model.scene.particles.diameter / 2 : 0;
+  for (double r : particles.radius) radius = std::max(radius, r);
+  return radius;
+}
+
+}  // namespace
+
+Simulation::Simulation(const Scene& scene, const FlowGrid* flow, std::uint64_t seed)
+    : model_(make_model(scene, flow, read_initial_particles(scene))),
+      fluid_(make_fluid(scene, flow)),
+      kernels_(select_kernels()),
+      random_(seed),
+      inlet_(model_),
+      watch_(scene),
+      pair_law_(model_.pair_law),
+      wall_law_(model_.wall_laws.contact) {
+  std::int64_t id = 0;
+  for (const Particle& given : read_initial_particles(scene)) {
+    Particle particle = model_.particle(given.radius);
+    particle.id = id++;
+    particle.x = given.x, particle.y = given.y, particle.z = given.z;
+    particle.vx = given.vx, particle.vy = given.vy, particle.vz = given.vz;
+    particle.wx = given.wx, particle.wy = given.wy, particle.wz = given.wz;
+    particles_.add(particle);
+  }
+  walls_ = WallContacts(model_.walls, largest_radius(model_, particles_), model_.reach);
+  data_.seed = seed;
+  data_.scene_text = effective_scene(scene);
+  if (flow) data_.provenance["flow_hash"] = flow->hash;
+}
+
+RunData Simulation::run(const Watcher& watcher) {
+  const auto begin = std::chrono::steady_clock::now();
+  if (inlet_.enabled() && model_.scene.inlet.start == InletStart::filled) fill(watcher);
+  recording_ = true;
+  while (step_ < model_.steps) {
+    compute_forces();
+    record();
+    if (watcher && step_ % watch_every == 0)
+      watcher({time(), model_.scene.time.end, step_, particle_steps_, particles_.size(),
+               data_.passages.time.size(),
+               data_.passages.time.empty() ||
+                   time() - data_.passages.time.back() > model_.scene.stokes_time() / 2,
+               false});
+    advance();
+  }
+  compute_forces();
+  record();
+  sample_snapshot();
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
+  finish(spent.count());
+  return std::move(data_);
+}
+
+void Simulation::fill(const Watcher& watcher) {
+  const Scene& s = model_.scene;
+  const double tau = s.stokes_time();
+  const double bound =
+      std::max(100 * tau, longest_fill * s.geometry.channel_length / s.flow.mean_velocity);
+  inlet_.scatter(particles_, random_);
+  Walls closed = model_.walls;
+  closed.insert(closed.end(), model_.gate.begin(), model_.gate.end());
+  const double radius = largest_radius(model_, particles_);
+  walls_.change(closed, radius, particles_);
+  lists_stale_ = true;
+  double last_insertion = 0, next_look = full_after * tau;
+  bool at_rest = false;
+  for (std::int64_t count = inlet_.inserted(); !at_rest && time() < bound;) {
+    compute_forces();
+    if (inlet_.inserted() != count) last_insertion = time();
+    count = inlet_.inserted();
+    if (time() >= next_look) {
+      next_look = time() + 0.1 * tau;
+      at_rest = time() - last_insertion > full_after * tau &&
+                clog_state(particles_, s).quantile_speed < watch_.rest_speed();
+    }
+    if (watcher && step_ % watch_every == 0)
+      watcher({-time(), s.time.end, step_, particle_steps_, particles_.size(), 0, false, true});
+    advance();
+  }
+  fill_time_ = time();
+  data_.provenance["fill_at_rest"] = at_rest;
+  walls_.change(model_.walls, radius, particles_);
+  lists_stale_ = true;
+  step_ = 0;
+  next_insertion_ = next_porosity_ = 0;
+  inlet_.restart_clock();
+  drag_work_ = body_work_ = 0;
+  watch_ = ClogWatch(s);
+}
+
+void Simulation::compute_forces() {
+  if (inlet_.enabled() && time() >= next_insertion_) feed_inlet(time());
+  // Two particles may approach each other by twice the way of one.
+  if (lists_stale_ || 2 * drifted_ > model_.reach.skin) rebuild_lists();
+  if (time() >= next_porosity_) {
+    fluid_.update_porosity(particles_);
+    next_porosity_ = time() + model_.scene.porosity.update_interval;
+  }
+  // At the very first evaluation nothing has moved yet, so no spring may grow.
+  const double dt = kick_ == 0 ? 0 : model_.dt;
+  particles_.clear_loads();
+  Neighbours& n = neighbours_;
+  pair_tally_ = kernels_.collide_pairs(
+      {pointers(particles_), n.first.data(), n.second.data(), n.first.size(), n.springs.pointers(),
+       n.scratch_touching.data(), n.scratch_lubricated.data(), pair_law_, model_.lubrication, dt},
+      model_.pair_terms);
+  if (!n.far_first.empty())
+    kernels_.lubricate_far({pointers(particles_), n.far_first.data(), n.far_second.data(),
+                            n.far_first.size(), model_.lubrication});
+  WallLaws laws = model_.wall_laws;
+  laws.contact = wall_law_;
+  laws.dt = dt;
+  wall_tally_ = walls_.empty() ? ContactTally{} : walls_.collide(particles_, kernels_, laws);
+  fluid_.evaluate(particles_);
+}
+
+void Simulation::advance() {
+  const Scene& s = model_.scene;
+  // The first kick leads from time 0 to half a step; all later ones from half step to half step.
+  kick_ = kick_ == 0 ? model_.dt / 2 : model_.dt;
+  AdvanceTask task{};
+  task.particles = pointers(particles_);
+  fluid_.attach(task);
+  for (int a = 0; a < 3; ++a) task.body_force[a] = s.body_force[a];
+  task.kick = kick_;
+  task.drift = model_.dt;
+  task.implicit_drag = s.time.integrator == Integrator::implicit_drag;
+  const AdvanceTally tally = kernels_.advance(task);
+  check(tally);
+  drifted_ += tally.largest_speed * model_.dt;
+  drag_work_ += tally.drag_work;
+  body_work_ += tally.body_work;
+  particle_steps_ += static_cast<double>(particles_.size());
+  ++step_;
+  if (recording_) find_passages();
+}
+
+void Simulation::check(const AdvanceTally& tally) const {
+  const double least = particles_.size()
+                           ? *std::min_element(particles_.radius.begin(), particles_.radius.end())
+                           : 0;
+  const double overlap = std::max(pair_tally_.largest_overlap, wall_tally_.largest_overlap);
+  const bool thrown = !(tally.largest_speed * model_.dt <= longest_way * least);
+  if (particles_.size() == 0 || (!thrown && overlap <= deepest_overlap * 2 * least)) return;
+  int worst = 0;
+  double fastest = -1;
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    const double speed = std::hypot(particles_.vx[i], particles_.vy[i], particles_.vz[i]);
+    if (speed <= fastest) continue;
+    worst = static_cast<int>(i);
+    fastest = speed;
+    if (std::isnan(speed)) break;
+  }
+  const auto& p = particles_;
+  throw Error(fmt::format(
+      "blow-up at step {} (t = {:.6g} s): particle {} at ({:.4g}, {:.4g}, {:.4g}) m moves at {:.3g} "
+      "m/s under a force of {:.3g} N, largest overlap {:.3g} m; lower time.step_fraction or raise "
+      "contact.youngs_modulus",
+      step_, time(), p.id[worst], p.x[worst], p.y[worst], p.z[worst], fastest,
+      std::hypot(p.fx[worst], p.fy[worst], p.fz[worst]), overlap));
+}
+
+void Simulation::feed_inlet(double time) {
+  const std::size_t before = particles_.size();
+  if (inlet_.insert(particles_, fluid_, random_, time) > 0) lists_stale_ = true;
+  for (std::size_t i = before; i < particles_.size(); ++i) {
+    const auto& p = particles_;
+    energy_in_ += 0.5 * p.mass[i] * (p.vx[i] * p.vx[i] + p.vy[i] * p.vy[i] + p.vz[i] * p.vz[i]);
+  }
+  next_insertion_ = time + inlet_.interval();
+}
+
+void Simulation::take_out() {
+  Particles& p = particles_;
+  const Domain& d = model_.domain;
+  leaving_.assign(p.size(), 0);
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (p.x[i] > d.outlet) {
+      leaving_[i] = 1;
+      energy_in_ -= 0.5 * p.mass[i] * (p.vx[i] * p.vx[i] + p.vy[i] * p.vy[i] + p.vz[i] * p.vz[i]) +
+                    0.5 * p.inertia[i] * (p.wx[i] * p.wx[i] + p.wy[i] * p.wy[i] + p.wz[i] * p.wz[i]);
+      continue;
+    }
+    const Vec3 place(p.x[i], p.y[i], p.z[i]);
+    require((place.array() >= d.low.array()).all() && (place.array() <= d.high.array()).all(),
+            "particle {} left the walls at ({:.4g}, {:.4g}, {:.4g}) m, t = {:.6g} s: lower "
+            "time.step_fraction or raise contact.youngs_modulus",
+            p.id[i], p.x[i], p.y[i], p.z[i], time());
+  }
+}
+
+void Simulation::rebuild_lists() {
+  take_out();
+  const std::vector<int> renumbered = neighbours_.rebuild(particles_, leaving_, model_.reach);
+  if (!walls_.empty()) walls_.rebuild(particles_, renumbered);
+  drifted_ = 0;
+  lists_stale_ = false;
+}
+
+void Simulation::find_passages() {
+  const Domain& d = model_.domain;
+  Particles& p = particles_;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (p.x[i] < d.passage || p.passed[i]) continue;
+    p.passed[i] = 1;
+    const double since = p.vx[i] > 0 ? std::min((p.x[i] - d.passage) / p.vx[i], model_.dt) : 0;
+    data_.passages.time.push_back(time() - since);
+    data_.passages.id.push_back(p.id[i]);
+    data_.passages.y.push_back(p.y[i] - since * p.vy[i]);
+    data_.passages.z.push_back(p.z[i] - since * p.vz[i]);
+    data_.passages.friction_off.push_back(watch_.friction_off());
+    watch_.passed(time());
+  }
+}
+
+void Simulation::set_friction(bool on) {
+  pair_law_ = model_.pair_law;
+  wall_law_ = model_.wall_laws.contact;
+  if (on) return;
+  for (ContactLaw* law : {&pair_law_, &wall_law_})
+    law->sliding_friction = law->rolling_friction = law->torsion_friction = 0;
+}
+
+}  // namespace clog

@@ -1,0 +1,97 @@
+// One run: the state of one seed and its steps.
+#pragma once
+
+#include <functional>
+
+#include "coupling/run_file.hpp"
+#include "dem/clog_watch.hpp"
+#include "dem/fluid.hpp"
+#include "dem/inlet.hpp"
+#include "dem/kernels.hpp"
+#include "dem/model.hpp"
+#include "dem/neighbours.hpp"
+#include "dem/particles.hpp"
+#include "dem/random.hpp"
+#include "dem/wall_contacts.hpp"
+
+namespace clog {
+
+/// What a watcher is told now and then.
+struct Progress {
+  double time = 0, end = 0;           ///< simulated; negative while the channel is filled [s]
+  std::int64_t steps = 0;             ///< done
+  double particle_steps = 0;          ///< done
+  std::size_t particles = 0;
+  std::size_t passages = 0;
+  bool clogged = false;               ///< nothing passed for half a tau
+  bool filling = false;
+};
+using Watcher = std::function<void(const Progress&)>;
+
+/// Velocity Verlet in its leapfrog form: positions at full steps, velocities half a step before, so
+/// that one kick and one drift make a step:
+///   F_n = F(x_n, v_(n-1/2));  v_(n+1/2) = v_(n-1/2) + F_n / m dt;  x_(n+1) = x_n + v_(n+1/2) dt
+/// which is the usual two half kicks with the forces taken at the half-step velocity between them.
+class Simulation {
+public:
+  /// \param flow  nullptr without an OpenFOAM flow; must outlive the simulation
+  Simulation(const Scene& scene, const FlowGrid* flow, std::uint64_t seed);
+
+  /// Runs to the end. \throws Error if it blows up or loses a particle
+  RunData run(const Watcher& watcher = {});
+
+  /// The loop of run(), in pieces, for tests and studies.
+  void fill(const Watcher& watcher);  ///< packs the channel against the gate, then opens it
+  void compute_forces();              ///< F_n of the present positions
+  void advance();                     ///< kick, drift, passages, time
+  void record();                      ///< series, snapshots, release protocol: what is due now
+
+  const Model& model() const { return model_; }
+  const Particles& particles() const { return particles_; }
+  Particles& particles() { return particles_; }
+  const RunData& data() const { return data_; }
+  double time() const { return static_cast<double>(step_) * model_.dt; }
+  const ContactTally& pair_tally() const { return pair_tally_; }
+  const ContactTally& wall_tally() const { return wall_tally_; }
+
+private:
+  void feed_inlet(double time);
+  void take_out();
+  void rebuild_lists();
+  void check(const AdvanceTally& tally) const;
+  void find_passages();
+  void set_friction(bool on);
+  void sample_series();
+  void sample_snapshot();
+  double elastic_energy() const;
+  Vector<double> velocity_now(int i) const;  ///< at the time of the positions
+  Vector<double> spin_now(int i) const;
+  Vector<double> total_force(int i) const;
+  void finish(double seconds);
+
+  Model model_;
+  Fluid fluid_;
+  const Kernels& kernels_;
+  Random random_;
+  Inlet inlet_;
+  ClogWatch watch_;
+  Particles particles_;
+  Neighbours neighbours_;
+  WallContacts walls_;
+  ContactLaw pair_law_, wall_law_;  // as of now: without friction during a release
+  ContactTally pair_tally_, wall_tally_;
+  std::vector<std::uint8_t> leaving_;
+  RunData data_;
+  std::int64_t step_ = 0;
+  double kick_ = 0;            // dt, or dt/2 in the very first step: the velocities given are at x_0
+  double drifted_ = 0;         // bound on any particle's way since the lists were made [m]
+  bool lists_stale_ = true;
+  bool recording_ = false;     // false while the channel is filled
+  double next_insertion_ = 0, next_porosity_ = 0, next_series_ = 0, next_snapshot_ = 0;
+  double particle_steps_ = 0;
+  double drag_work_ = 0, body_work_ = 0;
+  double energy_in_ = 0;       // kinetic and elastic energy at the start, and of what came and went [J]
+  double fill_time_ = 0;
+};
+
+}  // namespace clog

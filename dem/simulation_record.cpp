@@ -1,0 +1,154 @@
+// What a run writes down: time series, snapshots, releases, and at the end where it came from.
+
+#include <algorithm>
+#include <cmath>
+
+#include <unistd.h>
+
+#include "dem/quantile.hpp"
+#include "dem/simulation.hpp"
+
+#ifndef CLOG_REVISION
+#define CLOG_REVISION "unknown"
+#endif
+
+namespace clog {
+
+Vector<double> Simulation::total_force(int i) const {
+  const auto& p = particles_;
+  const auto& body = model_.scene.body_force;
+  const Vector<double> drag = fluid_.drag_force(i, {p.vx[i], p.vy[i], p.vz[i]});
+  return {p.fx[i] + drag.x + body[0], p.fy[i] + drag.y + body[1], p.fz[i] + drag.z + body[2]};
+}
+
+Vector<double> Simulation::velocity_now(int i) const {
+  const auto& p = particles_;
+  const double half = kick_ == 0 ? 0 : model_.dt / 2;
+  const Vector<double> velocity{p.vx[i], p.vy[i], p.vz[i]};
+  return velocity + half / p.mass[i] * total_force(i);
+}
+
+Vector<double> Simulation::spin_now(int i) const {
+  const auto& p = particles_;
+  const double half = kick_ == 0 ? 0 : model_.dt / 2;
+  const Vector<double> spin{p.wx[i], p.wy[i], p.wz[i]};
+  return spin + half / p.inertia[i] * Vector<double>{p.tx[i], p.ty[i], p.tz[i]};
+}
+
+void Simulation::record() {
+  const Scene& s = model_.scene;
+  const auto action = watch_.act(time(), [&] {
+    return clog_state(particles_, s);
+  });
+  if (action == ClogWatch::Action::friction_off) {
+    const ClogState state = clog_state(particles_, s);
+    data_.releases.off.push_back(time());
+    data_.releases.on.push_back(s.time.end);
+    data_.releases.largest_speed.push_back(state.largest_speed);
+    data_.releases.position.push_back(state.position);
+    set_friction(false);
+  } else if (action == ClogWatch::Action::friction_on) {
+    data_.releases.on.back() = time();
+    set_friction(true);
+  }
+  // Half a step of slack, so that a multiple of dt is not missed by rounding.
+  const double now = time() + model_.dt / 2;
+  if (s.output.series_interval > 0 && now >= next_series_) {
+    sample_series();
+    next_series_ += s.output.series_interval;
+  }
+  if (step_ == 0 || (s.output.snapshot_interval > 0 && now >= next_snapshot_)) {
+    if (step_ < model_.steps) sample_snapshot();
+    next_snapshot_ += s.output.snapshot_interval;
+  }
+}
+
+double Simulation::elastic_energy() const {
+  const auto& p = particles_;
+  const Neighbours& n = neighbours_;
+  double energy = walls_.empty() ? 0 : walls_.stored_energy(p, model_.wall_laws.contact);
+  for (std::size_t k = 0; k < n.first.size(); ++k) {
+    if (!n.springs.touching(k)) continue;
+    const int i = n.first[k], j = n.second[k];
+    ContactGeometry<double> g{};
+    g.overlap = p.radius[i] + p.radius[j] -
+                std::hypot(p.x[i] - p.x[j], p.y[i] - p.y[j], p.z[i] - p.z[j]);
+    g.radius = p.radius[i] * p.radius[j] / (p.radius[i] + p.radius[j]);
+    energy += stored_energy(model_.pair_law, g, n.springs.get(k));
+  }
+  return energy;
+}
+
+void Simulation::sample_series() {
+  const auto& p = particles_;
+  double kinetic = 0;
+  std::vector<double> speeds(p.size());
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const Vector<double> v = velocity_now(static_cast<int>(i)), w = spin_now(static_cast<int>(i));
+    kinetic += 0.5 * p.mass[i] * dot(v, v) + 0.5 * p.inertia[i] * dot(w, w);
+    speeds[i] = std::sqrt(dot(v, v));
+  }
+  const double elastic = elastic_energy();
+  if (data_.series.time.empty()) energy_in_ = kinetic + elastic;
+  auto& series = data_.series;
+  series.time.push_back(time());
+  series.count.push_back(static_cast<std::int64_t>(p.size()));
+  series.porosity.push_back(fluid_.strips().porosity());
+  series.packing_fraction.push_back(fluid_.strips().packing_fraction());
+  series.kinetic_energy.push_back(kinetic);
+  series.elastic_energy.push_back(elastic);
+  series.largest_overlap.push_back(
+      std::max(pair_tally_.largest_overlap, wall_tally_.largest_overlap));
+  series.contacts.push_back(pair_tally_.contacts);
+  series.wall_contacts.push_back(wall_tally_.contacts);
+  series.drag_work.push_back(drag_work_);
+  series.dissipated.push_back(drag_work_ + body_work_ + energy_in_ - kinetic - elastic);
+  series.median_speed.push_back(quantile(speeds, 0.5));
+  series.speed_q99.push_back(quantile(speeds, 0.99));
+}
+
+void Simulation::sample_snapshot() {
+  const auto& p = particles_;
+  std::vector<int> order(p.size());
+  for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<int>(k);
+  std::sort(order.begin(), order.end(), [&](int a, int b) { return p.id[a] < p.id[b]; });
+  RunData::Snapshot snapshot;
+  snapshot.time = time();
+  const auto put = [](std::vector<double>& to, const Vector<double>& v) {
+    to.insert(to.end(), {v.x, v.y, v.z});
+  };
+  for (int i : order) {
+    snapshot.id.push_back(p.id[i]);
+    snapshot.radius.push_back(p.radius[i]);
+    put(snapshot.position, {p.x[i], p.y[i], p.z[i]});
+    put(snapshot.velocity, velocity_now(i));
+    put(snapshot.spin, spin_now(i));
+    put(snapshot.force, total_force(i));
+    put(snapshot.torque, {p.tx[i], p.ty[i], p.tz[i]});
+  }
+  data_.snapshots.push_back(std::move(snapshot));
+}
+
+void Simulation::finish(double seconds) {
+  char host[256] = "unknown";
+  gethostname(host, sizeof host - 1);
+  auto& p = data_.provenance;
+  data_.end_time = time();
+  p["program"] = "clogflow " CLOG_VERSION;
+  p["revision"] = CLOG_REVISION;
+  p["compiler"] = __VERSION__;
+  p["instruction_set"] = kernels_.name;
+  p["host"] = host;
+  p["wall_time_s"] = seconds;
+  p["particle_steps"] = particle_steps_;
+  p["particle_steps_per_s"] = seconds > 0 ? particle_steps_ / seconds : 0;
+  p["time_step_s"] = model_.dt;
+  p["contact_time_s"] = model_.contact_time;
+  p["fill_time_s"] = fill_time_;
+  p["inserted"] = inlet_.inserted();
+  p["insertions_refused"] = inlet_.refused();
+  if (model_.pair_law.torsion_memory != 1)
+    p["experiment"] = "contact.torsion_update = \"doubling\": springs advanced wrongly on purpose";
+}
+
+}  // namespace clog

@@ -1,0 +1,195 @@
+#include "dem/wall_contacts.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "dem/physics/lubrication.hpp"
+
+namespace clog {
+
+namespace {
+
+using Touch = WallContacts::Touch;
+
+/// A contact's place moves by far less than this share of the radius in one step; two contacts of one
+/// sphere are farther apart unless the wall turns by a few degrees only.
+constexpr double same_place = 0.1;
+
+Vec3 centre_of(const Particles& p, int i) { return {p.x[i], p.y[i], p.z[i]}; }
+
+Vector<double> to_vector(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+/// Takes the springs of the remembered contact nearest to the place, if it is the same contact.
+bool recall(std::vector<Touch>& memory, int particle, const Vec3& place, double radius,
+            Springs<double>& springs) {
+  const auto [begin, end] = std::equal_range(
+      memory.begin(), memory.end(), particle,
+      [](const auto& a, const auto& b) {
+        const auto number = [](const auto& v) {
+          if constexpr (std::is_same_v<std::decay_t<decltype(v)>, int>) return v;
+          else return v.particle;
+        };
+        return number(a) < number(b);
+      });
+  auto nearest = end;
+  double least = same_place * radius;
+  for (auto touch = begin; touch != end; ++touch) {
+    const double distance = (touch->point - place).norm();
+    if (distance >= least) continue;
+    least = distance;
+    nearest = touch;
+  }
+  if (nearest == end) return false;
+  springs = nearest->springs;
+  // Each memory serves one contact.
+  nearest->point = Vec3::Constant(std::numeric_limits<double>::infinity());
+  return true;
+}
+
+ContactGeometry<double> geometry(const Particles& p, int i, const Vec3& normal, double overlap) {
+  return {to_vector(normal), overlap, p.radius[i], p.mass[i], p.radius[i] - 0.5 * overlap, 0.0};
+}
+
+}  // namespace
+
+WallContacts::WallContacts(const Walls& walls, double radius, const Reach& reach)
+    : surface_(walls), bins_(walls, radius + reach.lubrication + reach.skin), reach_(reach) {}
+
+void WallContacts::change(const Walls& walls, double radius, const Particles& particles) {
+  corner_touches_ = touches(particles);
+  surface_ = WallSurface(walls);
+  bins_ = WallBins(walls, radius + reach_.lubrication + reach_.skin);
+  particle_.clear();
+  corners_.clear();
+}
+
+void WallContacts::rebuild(const Particles& p, const std::vector<int>& renumbered) {
+  // The old slots still name the old indices; their planes do not change.
+  std::vector<Touch> memory;
+  for (std::size_t k = 0; k < particle_.size(); ++k) {
+    const int i = renumbered[particle_[k]];
+    if (i < 0 || !springs_.touching(k)) continue;
+    const Vec3 normal(nx_[k], ny_[k], nz_[k]), centre = centre_of(p, i);
+    memory.push_back({i, centre - (normal.dot(centre) - offset_[k]) * normal, normal, 0,
+                      springs_.get(k)});
+  }
+  for (Touch& touch : corner_touches_) {
+    touch.particle = renumbered[touch.particle];
+    if (touch.particle >= 0) memory.push_back(touch);
+  }
+  std::stable_sort(memory.begin(), memory.end(),
+                   [](const Touch& a, const Touch& b) { return a.particle < b.particle; });
+
+  particle_.clear(), nx_.clear(), ny_.clear(), nz_.clear(), offset_.clear();
+  corners_.clear();
+  std::vector<Springs<double>> recalled;
+  std::vector<std::uint8_t> known;
+  for (int i = 0; i < static_cast<int>(p.size()); ++i) {
+    const Vec3 centre = centre_of(p, i);
+    const double reach = p.radius[i] + reach_.lubrication + reach_.skin;
+    Corner corner{i, {}};
+    std::vector<int> planes;
+    for (int t : bins_.near(centre)) {
+      if (surface_.distance(t, centre) >= reach) continue;
+      const int patch = surface_.patch_of(t);
+      if (std::find(planes.begin(), planes.end(), patch) != planes.end()) continue;
+      const WallPatch& plane = surface_.patches()[patch];
+      if (!surface_.well_inside(plane, centre, reach_.skin)) {
+        corner.triangles.push_back(t);
+        continue;
+      }
+      planes.push_back(patch);
+      particle_.push_back(i);
+      nx_.push_back(plane.normal.x()), ny_.push_back(plane.normal.y());
+      nz_.push_back(plane.normal.z()), offset_.push_back(plane.offset);
+      const Vec3 foot = centre - (plane.normal.dot(centre) - plane.offset) * plane.normal;
+      recalled.push_back({});
+      known.push_back(recall(memory, i, foot, p.radius[i], recalled.back()));
+    }
+    if (!corner.triangles.empty()) corners_.push_back(std::move(corner));
+  }
+  springs_.reset(particle_.size());
+  for (std::size_t k = 0; k < known.size(); ++k)
+    if (known[k]) springs_.set(k, recalled[k]);
+  scratch_touching_.resize(particle_.size());
+  scratch_lubricated_.resize(particle_.size());
+  corner_touches_ = std::move(memory);
+}
+
+ContactTally WallContacts::collide(Particles& p, const Kernels& kernels, const WallLaws& laws) {
+  PlaneTask task{pointers(p),
+                 particle_.data(),
+                 nx_.data(),
+                 ny_.data(),
+                 nz_.data(),
+                 offset_.data(),
+                 particle_.size(),
+                 springs_.pointers(),
+                 scratch_touching_.data(),
+                 scratch_lubricated_.data(),
+                 laws.contact,
+                 laws.lubrication,
+                 laws.dt};
+  ContactTally tally = kernels.collide_planes(task, laws.terms);
+  collide_corners(p, laws, tally);
+  return tally;
+}
+
+void WallContacts::collide_corners(Particles& p, const WallLaws& laws, ContactTally& tally) {
+  std::vector<Touch> touches;
+  std::vector<WallPoint> found;
+  for (const Corner& corner : corners_) {
+    const int i = corner.particle;
+    found.clear();
+    surface_.closest_points(corner.triangles, centre_of(p, i),
+                            p.radius[i] + laws.lubrication.farthest, found);
+    for (const WallPoint& wall : found) {
+      const double overlap = p.radius[i] - wall.distance;
+      const Vector<double> velocity{p.vx[i], p.vy[i], p.vz[i]};
+      Vector<double> force{0, 0, 0}, torque{0, 0, 0};
+      if (overlap > 0) {
+        Touch touch{i, wall.point, wall.normal, overlap, {}};
+        recall(corner_touches_, i, wall.point, p.radius[i], touch.springs);
+        const ContactMotion<double> motion{velocity, {p.wx[i], p.wy[i], p.wz[i]}, {0, 0, 0}};
+        const auto loads = contact_loads<ContactTerms{true, true, true}>(
+            laws.contact, geometry(p, i, wall.normal, overlap), motion, laws.dt, touch.springs);
+        force = loads.force;
+        torque = loads.torque_i;
+        touches.push_back(touch);
+        ++tally.contacts;
+        tally.largest_overlap = std::max(tally.largest_overlap, overlap);
+      } else if (laws.lubrication.viscosity > 0 &&
+                 (laws.lubrication.clamp || -overlap >= laws.lubrication.nearest)) {
+        const Vector<double> normal = to_vector(wall.normal);
+        const double c = lubrication_coefficient(laws.lubrication.viscosity, p.radius[i],
+                                                 std::max(-overlap, laws.lubrication.nearest));
+        force = (-c * dot(velocity, normal)) * normal;
+      }
+      p.fx[i] += force.x, p.fy[i] += force.y, p.fz[i] += force.z;
+      p.tx[i] += torque.x, p.ty[i] += torque.y, p.tz[i] += torque.z;
+    }
+  }
+  corner_touches_ = std::move(touches);
+}
+
+std::vector<Touch> WallContacts::touches(const Particles& p) const {
+  std::vector<Touch> all = corner_touches_;
+  for (std::size_t k = 0; k < particle_.size(); ++k) {
+    if (!springs_.touching(k)) continue;
+    const int i = particle_[k];
+    const Vec3 normal(nx_[k], ny_[k], nz_[k]), centre = centre_of(p, i);
+    const double height = normal.dot(centre) - offset_[k];
+    all.push_back({i, centre - height * normal, normal, p.radius[i] - height, springs_.get(k)});
+  }
+  return all;
+}
+
+double WallContacts::stored_energy(const Particles& p, const ContactLaw& law) const {
+  double energy = 0;
+  for (const Touch& touch : touches(p))
+    energy += clog::stored_energy(law, geometry(p, touch.particle, touch.normal, touch.overlap),
+                                  touch.springs);
+  return energy;
+}
+
+}  // namespace clog

@@ -1,0 +1,77 @@
+// Contacts of particles with the walls, and their springs.
+#pragma once
+
+#include <vector>
+
+#include "dem/kernels.hpp"
+#include "dem/neighbours.hpp"
+#include "dem/particles.hpp"
+#include "dem/springs.hpp"
+#include "dem/wall_bins.hpp"
+#include "dem/wall_surface.hpp"
+
+namespace clog {
+
+/// What acts between a particle and a wall.
+struct WallLaws {
+  ContactLaw contact;
+  ContactTerms terms;
+  LubricationLaw lubrication;
+  double dt = 0;
+};
+
+/// Two lists, made anew together with the pair list: particles that can meet only the inside of a flat
+/// patch (a plane: the SIMD kernel), and particles near an edge or corner (triangle by triangle).
+/// A contact is the same as in the last step if its place on the wall is, whatever triangle it is on:
+/// so springs survive a sphere's way across an edge, and from one list into the other.
+class WallContacts {
+public:
+  WallContacts() = default;
+
+  /// \param radius  of the largest particle [m]
+  WallContacts(const Walls& walls, double radius, const Reach& reach);
+
+  /// Puts other walls in place; contacts go on where both have the same surface. Call rebuild() next.
+  void change(const Walls& walls, double radius, const Particles& particles);
+
+  /// \param renumbered  new index of each old particle, -1 if it left
+  void rebuild(const Particles& particles, const std::vector<int>& renumbered);
+
+  /// Adds the forces and torques of all wall contacts.
+  ContactTally collide(Particles& particles, const Kernels& kernels, const WallLaws& laws);
+
+  /// Energy stored in all wall contacts [J].
+  double stored_energy(const Particles& particles, const ContactLaw& law) const;
+
+  bool empty() const { return surface_.size() == 0; }
+
+  /// One contact as it stood in the last step.
+  struct Touch {
+    int particle;
+    Vec3 point;  ///< [m]
+    Vec3 normal;
+    double overlap;  ///< [m]
+    Springs<double> springs;
+  };
+  std::vector<Touch> touches(const Particles& particles) const;
+
+private:
+  struct Corner {
+    int particle;
+    std::vector<int> triangles;
+  };
+
+  void collide_corners(Particles& particles, const WallLaws& laws, ContactTally& tally);
+
+  WallSurface surface_;
+  WallBins bins_;
+  Reach reach_;
+  std::vector<int> particle_;  // of each plane slot
+  std::vector<double> nx_, ny_, nz_, offset_;
+  SpringTable springs_;
+  std::vector<int> scratch_touching_, scratch_lubricated_;
+  std::vector<Corner> corners_;
+  std::vector<Touch> corner_touches_;  // sorted by particle, of the last step
+};
+
+}  // namespace clog
