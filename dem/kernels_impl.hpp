@@ -1,5 +1,6 @@
 // The hot loops over SIMD vectors. Included once per instruction set, under flags that no other file
-// has; it must therefore use nothing that another file could also instantiate (no containers).
+// has; it must therefore use nothing that another file could also instantiate (no containers). The
+// loops are flattened: every formula inlined, or vectors would travel through memory.
 #pragma once
 
 #include "dem/kernels.hpp"
@@ -141,7 +142,7 @@ void lubricate_batch(const ParticlePointers& p, const LubricationLaw& law, const
 }
 
 template <ContactTerms terms>
-ContactTally collide_pairs(const PairTask& task) {
+[[gnu::flatten]] ContactTally collide_pairs(const PairTask& task) {
   const ParticlePointers& p = task.particles;
   Sorted sorted;
   for (std::size_t from = 0; from < task.count; from += lanes) {
@@ -186,7 +187,7 @@ ContactTally collide_pairs(const PairTask& task) {
   return {static_cast<std::int64_t>(sorted.touching), stdx::hmax(deepest)};
 }
 
-void lubricate_far(const FarTask& task) {
+[[gnu::flatten]] void lubricate_far(const FarTask& task) {
   for (std::size_t from = 0; from < task.count; from += lanes) {
     const Batch batch = take(nullptr, from, task.count);
     lubricate_batch(task.particles, task.lubrication,
@@ -195,7 +196,7 @@ void lubricate_far(const FarTask& task) {
 }
 
 template <ContactTerms terms>
-ContactTally collide_planes(const PlaneTask& task) {
+[[gnu::flatten]] ContactTally collide_planes(const PlaneTask& task) {
   const ParticlePointers& p = task.particles;
   Sorted sorted;
   const auto height = [&](const Batch& batch, int* i) {
@@ -261,7 +262,7 @@ void store_part(double* values, Lanes amount, int used) {
   }
 }
 
-AdvanceTally advance(const AdvanceTask& task) {
+[[gnu::flatten]] AdvanceTally advance(const AdvanceTask& task) {
   const ParticlePointers& p = task.particles;
   const Lanes kick(task.kick), drift(task.drift), half(0.5);
   Lanes fastest(0.0), drag_work(0.0), body_work(0.0);
