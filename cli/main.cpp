@@ -10,14 +10,20 @@ int main(int argc, char** argv) {
   CLI::App app{"clogflow: clogging of suspensions, from the flow field to the statistics", "clog"};
   app.require_subcommand(1);
   app.set_version_flag("--version", CLOG_VERSION);
+  clog::cli::add_case(app);
+  clog::cli::add_map(app);
+  clog::cli::add_run(app);
   clog::cli::add_fit(app);
+  clog::cli::add_stats(app);
+  clog::cli::add_report(app);
   try {
     app.parse(argc, argv);
     return 0;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "clog: {}\n", error.what());
+    // An empty text: another rank of the same job has said it.
+    if (*error.what()) fmt::print(stderr, "clog: {}\n", error.what());
     return 1;
   }
 }

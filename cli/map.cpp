@@ -1,0 +1,41 @@
+// clog map: sampled OpenFOAM velocities to flow.h5.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "cli/verbs.hpp"
+#include "coupling/map_flow.hpp"
+
+namespace clog::cli {
+namespace {
+
+struct MapOptions {
+  std::filesystem::path folder, out;
+};
+
+void write_map(const MapOptions& options) {
+  const FlowGrid grid = map_flow(options.folder);
+  write_flow_grid(grid, options.out);
+  double worst = 0;
+  for (const auto& plane : grid.provenance["grid_flux"]) {
+    worst = std::max(worst, std::abs(plane["error"].get<double>()));
+  }
+  fmt::print("{}: flow {}, {} x {} x {} points of {:.4g} um, flux of the grid within {:.2g} %\n",
+             options.out.string(), grid.hash, grid.points[0], grid.points[1], grid.points[2],
+             1e6 * grid.spacing, 100 * worst);
+}
+
+}  // namespace
+
+void add_map(CLI::App& app) {
+  auto* verb = app.add_subcommand("map", "sampled OpenFOAM velocities of a case to a regular grid");
+  auto options = std::make_shared<MapOptions>();
+  verb->add_option("folder", options->folder, "of a flow case that its Allrun has solved")->required();
+  verb->add_option("--out", options->out, "the flow file, for example flow.h5")->required();
+  verb->callback([options] { write_map(*options); });
+}
+
+}  // namespace clog::cli

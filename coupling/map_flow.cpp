@@ -1,0 +1,181 @@
+#include "coupling/map_flow.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <ctime>
+
+#include "coupling/channel_geometry.hpp"
+#include "coupling/channel_shape.hpp"
+#include "coupling/content_hash.hpp"
+#include "coupling/duct_flow.hpp"
+#include "coupling/flow_mesh.hpp"
+#include "coupling/foam_log.hpp"
+#include "coupling/require.hpp"
+#include "coupling/text_file.hpp"
+
+namespace clog {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A plane of the grid may differ this much from the flow rate of the scene: the midpoint rule on it is
+// good to (spacing / neck height)^2, more where the slanted wall cuts through.
+constexpr double flux_tolerance = 0.02;
+
+// The quarter's row j >= 0 for a row -half_width <= j < half_width, and its sign for the y component.
+struct Mirrored {
+  int index;
+  float sign;
+};
+
+Mirrored mirror_y(int j) { return j >= 0 ? Mirrored{j, 1.0f} : Mirrored{-1 - j, -1.0f}; }
+
+Mirrored mirror_z(int k, int layers) {
+  const int other = layers - 1 - k;
+  return k <= other ? Mirrored{k, 1.0f} : Mirrored{other, -1.0f};
+}
+
+class Mapper {
+public:
+  Mapper(const Scene& scene, const FlowLattice& lattice, const FoamSamples& samples)
+      : scene_(scene), lattice_(lattice), samples_(samples),
+        duct_(scene.geometry.channel_width, scene.geometry.neck_height) {}
+
+  FlowGrid grid() const {
+    FlowGrid grid;
+    const double h = lattice_.spacing;
+    grid.points = {lattice_.x_end - lattice_.x_begin, 2 * lattice_.half_width, lattice_.height};
+    grid.origin = {lattice_.coordinate(lattice_.x_begin), lattice_.coordinate(-lattice_.half_width), h / 2};
+    grid.spacing = h;
+    const std::size_t count = static_cast<std::size_t>(grid.points[0]) * grid.points[1] * grid.points[2];
+    grid.velocity.resize(3 * count);
+    grid.solid.resize(count);
+    for (int k = 0; k < grid.points[2]; ++k) {
+      for (int j = 0; j < grid.points[1]; ++j) fill_row(grid, j, k);
+    }
+    return grid;
+  }
+
+private:
+  void fill_row(FlowGrid& grid, int row, int k) const {
+    const int j = row - lattice_.half_width;
+    const double y = lattice_.coordinate(j);
+    const auto developed =
+        static_cast<float>(scene_.flow.mean_velocity * duct_(y, lattice_.coordinate(k)));
+    const Mirrored my = mirror_y(j);
+    const Mirrored mz = mirror_z(k, lattice_.height);
+    for (int i = lattice_.x_begin; i < lattice_.x_end; ++i) {
+      const std::size_t at = grid.index(i - lattice_.x_begin, row, k);
+      grid.solid[at] = is_solid(lattice_.coordinate(i), y);
+      if (grid.solid[at]) continue;
+      float* velocity = &grid.velocity[3 * at];
+      if (i < lattice_.x_sampled) {
+        velocity[0] = developed;
+        continue;
+      }
+      const std::size_t from = samples_.index(i - lattice_.x_sampled, my.index, mz.index);
+      require(samples_.found[from],
+              "no sample at ({}, {}, {}) m, inside the fluid (the samples file is incomplete); delete the "
+              "file `solved` of the case and run its Allrun again",
+              lattice_.coordinate(i), std::abs(y), lattice_.coordinate(mz.index));
+      velocity[0] = samples_.velocity[from][0];
+      velocity[1] = my.sign * samples_.velocity[from][1];
+      velocity[2] = mz.sign * samples_.velocity[from][2];
+    }
+  }
+
+  // Points on a wall count as solid: OpenFOAM may or may not find them.
+  bool is_solid(double x, double y) const {
+    return std::abs(y) >= channel_width_at(scene_, x) / 2 - 1e-6 * lattice_.spacing;
+  }
+
+  const Scene& scene_;
+  const FlowLattice& lattice_;
+  const FoamSamples& samples_;
+  DuctFlow duct_;
+};
+
+// Flux of the grid at a few planes against the flow rate of the scene.
+nlohmann::json grid_fluxes(const FlowGrid& grid, const Scene& scene, const FlowLattice& lattice) {
+  const auto& g = scene.geometry;
+  const double rate = scene.flow.mean_velocity * g.channel_width * g.neck_height;
+  const double bend = -narrowing_length(scene);
+  nlohmann::json planes = nlohmann::json::array();
+  for (const double x : {lattice.coordinate(lattice.x_sampled), bend - g.neck_width, bend, bend / 2, 0.0,
+                         g.neck_length / 2, g.neck_length}) {
+    const int i = static_cast<int>(std::lround((x - grid.origin.x()) / grid.spacing));
+    if (i < 0 || i >= grid.points[0]) continue;
+    const double flux = grid_flux(grid, i);
+    planes.push_back(
+        {{"x", grid.origin.x() + i * grid.spacing}, {"flux", flux}, {"error", flux / rate - 1}});
+  }
+  return planes;
+}
+
+std::string utc_now() {
+  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", std::gmtime(&now));
+  return text;
+}
+
+std::string first_line(const fs::path& file) {
+  const std::string text = read_text_file(file);
+  return text.substr(0, text.find('\n'));
+}
+
+// The hash of the case, once it is sure that scene.toml, the case and its results belong together.
+std::string solved_hash(const fs::path& folder, const Scene& scene) {
+  const std::string hash = first_line(folder / "hash");
+  const std::string run = (folder / "Allrun").string();
+  require(content_hash(flow_inputs(scene)) == hash,
+          "{} does not describe the flow {} of its case (edited, or of another version?); write the case again",
+          (folder / "scene.toml").string(), hash);
+  require(fs::exists(folder / "solved"), "{} is not solved; run {}", folder.string(), run);
+  require(first_line(folder / "solved") == hash, "{} holds the flow of other inputs ({}, not {}); run {}",
+          folder.string(), first_line(folder / "solved"), hash, run);
+  return hash;
+}
+
+}  // namespace
+
+double grid_flux(const FlowGrid& grid, int i) {
+  double sum = 0;
+  for (int k = 0; k < grid.points[2]; ++k) {
+    for (int j = 0; j < grid.points[1]; ++j) sum += grid.velocity[3 * grid.index(i, j, k)];
+  }
+  return sum * grid.spacing * grid.spacing;
+}
+
+FlowGrid grid_from_samples(const Scene& scene, const FlowLattice& lattice, const FoamSamples& samples) {
+  return Mapper(scene, lattice, samples).grid();
+}
+
+FlowGrid map_flow(const fs::path& folder) {
+  require(fs::is_directory(folder), "{} is missing (expected the folder of a flow case); write it: clog case",
+          folder.string());
+  const fs::path scene_file = folder / "scene.toml";
+  const std::string scene_text = read_text_file(scene_file);
+  const Scene scene = parse_scene(scene_text, scene_file.string());
+  const std::string hash = solved_hash(folder, scene);
+  const FlowLattice lattice = flow_lattice(scene, flow_mesh(scene).inlet);
+
+  FlowGrid grid =
+      grid_from_samples(scene, lattice, read_foam_samples(foam_samples_file(folder), lattice));
+  grid.walls = channel_walls(scene);
+  grid.scene_text = scene_text;
+  grid.hash = hash;
+  grid.provenance = read_foam_logs(folder);
+  grid.provenance["grid_flux"] = grid_fluxes(grid, scene, lattice);
+  grid.provenance["date"] = utc_now();
+  for (const auto& plane : grid.provenance["grid_flux"]) {
+    const double error = plane["error"];
+    require(std::abs(error) < flux_tolerance,
+            "the flux through x = {} m differs by {:.1f} % from that of the scene (allowed {} %); refine "
+            "flow.mesh_cells_per_neck or flow.grid_spacing",
+            plane["x"].get<double>(), 100 * error, 100 * flux_tolerance);
+  }
+  return grid;
+}
+
+}  // namespace clog
