@@ -13,6 +13,8 @@ namespace clog::test {
 inline FlowGrid synthetic_flow(const Scene& scene) {
   const auto& g = scene.geometry;
   FlowGrid grid;
+  grid.scene_text = effective_scene(scene);
+  grid.hash = content_hash(flow_inputs(scene));
   grid.spacing = g.neck_height / 20;
   const double start = channel_start(scene), h = grid.spacing;
   grid.origin = Vec3(start + h / 2, -g.channel_width / 2 + h / 2, h / 2);

@@ -1,0 +1,91 @@
+// clog run: the particles, for every seed asked for.
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "cli/progress.hpp"
+#include "cli/verbs.hpp"
+#include "coupling/require.hpp"
+#include "dem/ensemble.hpp"
+
+namespace clog::cli {
+namespace {
+
+struct RunOptions {
+  std::filesystem::path scene, flow, out;
+  std::string seeds;
+  Overrides overrides;
+};
+
+struct Prepared {
+  Scene scene;
+  std::optional<FlowGrid> flow;
+};
+
+Prepared prepare(const RunOptions& options) {
+  Prepared prepared{read_scene(options.scene, options.overrides), {}};
+  if (!options.seeds.empty()) prepared.scene.ensemble.seeds = parse_seeds(options.seeds);
+  if (prepared.scene.flow.source == FlowSource::openfoam) {
+    require(!options.flow.empty(),
+            "{}: flow.source = \"openfoam\" needs the flow: give --flow flow.h5 (clog case, its "
+            "Allrun and clog map make it)",
+            options.scene.string());
+    prepared.flow = read_flow_grid(options.flow);
+  }
+  // What is wrong with the scene is wrong for every seed: say it once, before any run begins.
+  make_model(prepared.scene, prepared.flow ? &*prepared.flow : nullptr,
+             read_initial_particles(prepared.scene));
+  return prepared;
+}
+
+/// Prepares on every rank; of several ranks that fail, the first speaks for all.
+Prepared prepare_together(const RunOptions& options, Ranks& ranks) {
+  std::string problem;
+  Prepared prepared;
+  try {
+    prepared = prepare(options);
+  } catch (const std::exception& error) {
+    problem = error.what();
+  }
+  const int speaker = ranks.least(problem.empty() ? ranks.count() : ranks.rank());
+  if (speaker == ranks.count()) return prepared;
+  throw Error(speaker == ranks.rank() ? problem : "");
+}
+
+void run(const RunOptions& options) {
+  Ranks ranks;
+  const Prepared prepared = prepare_together(options, ranks);
+  const Ensemble ensemble{prepared.scene, prepared.flow ? &*prepared.flow : nullptr, options.out};
+  ProgressLine line(ranks.rank() == 0 && isatty(STDERR_FILENO));
+  const int failed = run_ensemble(
+      ensemble, ranks, [&](const Progress& progress) { line.show(progress); },
+      [&](const SeedReport& report) {
+        line.clear();
+        fmt::print(report.failed ? stderr : stdout, "{}seed {}: {}\n", report.failed ? "clog: " : "",
+                   report.seed, report.line);
+        std::fflush(stdout);
+      });
+  require(failed == 0 || ranks.rank() != 0, "{} of {} seeds failed; the others are in {}", failed,
+          prepared.scene.ensemble.seeds.size(), options.out.string());
+  if (failed > 0) throw Error("");
+}
+
+}  // namespace
+
+void add_run(CLI::App& app) {
+  auto* verb = app.add_subcommand("run", "push the particles through: one file per seed");
+  auto options = std::make_shared<RunOptions>();
+  verb->add_option("scene", options->scene, "scene file (TOML)")->required();
+  verb->add_option("--flow", options->flow, "flow.h5 made by clog map");
+  verb->add_option("--seeds", options->seeds, "for example 1-40; default: ensemble.seeds");
+  verb->add_option("--out", options->out, "directory for the run files")->required();
+  verb->add_option("--set", options->overrides, "key=value: overrides the scene")->allow_extra_args(false);
+  verb->callback([options] { run(*options); });
+}
+
+}  // namespace clog::cli
