@@ -29,10 +29,11 @@ std::string with_interval(const nlohmann::json& group, const char* key) {
 
 void print_summary(const nlohmann::json& statistics) {
   for (const auto& group : statistics.at("groups")) {
-    fmt::print("{}: {} seeds, {} bursts, <s> = {}, alpha(tau/2) = {}, {} passages/s\n",
-               group.at("label").get<std::string>(), group.at("runs").size(),
-               group.at("bursts").at("counted").get<std::size_t>(), with_interval(group, "mean_burst"),
-               with_interval(group, "alpha_fixed"), with_interval(group, "flow_rate"));
+    const bool by_release = group.at("protocol") == "release";
+    fmt::print("{}: {} seeds, {} bursts, <s> = {}, {} = {}, {} passages/s\n", group.at("label").get<std::string>(),
+               group.at("runs").size(), group.at("bursts").at("counted").get<std::size_t>(),
+               with_interval(group, "mean_burst"), by_release ? "releases without a passage" : "alpha(T_min)",
+               with_interval(group, by_release ? "share_failed" : "alpha_fixed"), with_interval(group, "flow_rate"));
   }
 }
 

@@ -193,6 +193,9 @@ json notes(const RunGroup& group) {
   }
   if (group.scene.drag.fluctuation.strength > 0) notes.push_back("drag.fluctuation is on");
   if (group.scene.flow.pulsation.strength > 0) notes.push_back("flow.pulsation is on");
+  if (group.scene.unclog.protocol == UnclogProtocol::release) {
+    notes.push_back("clogs are ended by releases: arrests are censored, alpha describes only those that end by themselves");
+  }
   if (group.records.size() < 2) notes.push_back("a single seed: no intervals");
   return notes;
 }

@@ -1,0 +1,63 @@
+"""Distribution of the burst sizes, P(s/<s>) (paper, figure 4)."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+import style
+from stats_files import neck_ratio, value
+
+
+def draw_distribution(axes, statistics):
+    colours = style.group_colours(len(statistics.groups))
+    largest, smallest, empty = 4.0, 0.05, True
+    for index, group in enumerate(statistics.groups):
+        rows = [row for row in statistics.rows("burst_distribution", index) if row["count"] > 0]
+        if not rows:
+            continue
+        empty = False
+        x = np.array([row["s/<s> [1]"] for row in rows])
+        p = np.array([row["P [1]"] for row in rows])
+        error = np.array([row["error [1]"] for row in rows])
+        # A single count has an error as large as itself: on a log axis its bar ends at half of it.
+        below = np.minimum(error, 0.5 * p)
+        mean, low, high = value(group, "mean_burst")
+        spread = f" [{low:.3g}, {high:.3g}]" if np.isfinite(low) else ""
+        axes.errorbar(x, p, yerr=[below, error], fmt=style.MARKERS[index % len(style.MARKERS)], ms=4, lw=0.8, capsize=0,
+                      color=colours[index], mec="white", mew=0.4,
+                      label=f"{group['label']}: $\\langle s\\rangle$ = {mean:.3g}{spread}, "
+                            f"{group['bursts']['counted']} bursts")
+        largest, smallest = max(largest, x.max() * 1.08), min(smallest, 0.5 * p.min())
+    x = np.linspace(0, largest, 100)
+    axes.plot(x, np.exp(-x), color=style.GREY, ls="--", zorder=1, label=r"exponential $e^{-s/\langle s\rangle}$")
+    axes.set_yscale("log")
+    axes.set_xlim(0, largest)
+    axes.set_ylim(max(smallest, 1e-5), 6)
+    if empty:
+        style.say(axes, "no burst that began and ended\nwithin the runs")
+    axes.set_xlabel(r"burst size $s/\langle s\rangle$ [1]")
+    axes.set_ylabel(r"probability density $P(s/\langle s\rangle)$ [1]")
+    style.legend(axes, loc="upper right")
+
+
+def draw_means(axes, statistics):
+    """<s> against (D/d)^3, the inset of the paper's figure."""
+    for colour, group in zip(style.group_colours(len(statistics.groups)), statistics.groups):
+        mean, low, high = value(group, "mean_burst")
+        if not np.isfinite(mean):
+            continue
+        x = neck_ratio(group) ** 3
+        if np.isfinite(low):
+            axes.plot([x, x], [low, high], color=colour, lw=1)
+        axes.plot(x, mean, "o", color=colour, ms=5)
+    axes.set_yscale("log")
+    axes.set_xlabel(r"$(D/d)^3$ [1]")
+    axes.set_ylabel(r"mean burst size $\langle s\rangle$ [1]")
+
+
+def make(statistics, folder):
+    sweep = len({neck_ratio(group) for group in statistics.groups}) > 1
+    figure, panels = plt.subplots(1, 2 if sweep else 1, figsize=(style.PAGE if sweep else 4.6, 3.3), squeeze=False)
+    draw_distribution(panels[0, 0], statistics)
+    if sweep:
+        draw_means(panels[0, 1], statistics)
+    return style.save(figure, folder, "bursts")

@@ -1,0 +1,131 @@
+"""Lapses between passages and survival of arrests, with their fits (paper, figure 5)."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+import style
+from stats_files import neck_ratio, value
+
+SHORTEST_SHOWN = 1e-3  # T/tau; below it two particles cross the plane side by side
+
+
+def draw_density(axes, statistics):
+    colours = style.group_colours(len(statistics.groups))
+    single = len(statistics.groups) == 1
+    for index, group in enumerate(statistics.groups):
+        rows = [row for row in statistics.rows("lapse_distribution", index) if row["count"] > 0]
+        if not rows:
+            continue
+        x = np.array([np.sqrt(row["T/tau_from [1]"] * row["T/tau_to [1]"]) for row in rows])
+        p = np.array([row["P [1]"] for row in rows])
+        error = np.array([row["error [1]"] for row in rows])
+        axes.errorbar(x, p, yerr=[np.minimum(error, 0.5 * p), error], fmt=style.MARKERS[index % len(style.MARKERS)], ms=3.6, lw=0.7,
+                      color=colours[index], mec="white", mew=0.3, label=group["label"])
+        draw_fits(axes, group, colours[index], x.max(), single)
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    if not axes.has_data():
+        style.say(axes, "no two passages in any run")
+        axes.set_xlim(0.01, 100)
+        axes.set_ylim(1e-4, 10)
+    mark_threshold(axes, statistics)
+    axes.set_xlim(left=max(axes.get_xlim()[0], SHORTEST_SHOWN))
+    axes.set_xlabel(r"lapse $T/\tau$ [1]")
+    axes.set_ylabel(r"probability density $P(T/\tau)$ [1]")
+    style.legend(axes, loc="lower left")
+
+
+def draw_fits(axes, group, colour, largest, single):
+    """Density of each fitted law, weighted with the share of lapses that belong to its tail."""
+    styles = {"free": ("-", colour if not single else style.RELEASE), "fixed": ("--", colour if not single else style.INK)}
+    names = {"free": r"$T_{\min}$ found", "fixed": r"$T_{\min}=\tau/2$"}
+    for key, (line, fit_colour) in styles.items():
+        fit = group["power_law"][key]
+        if "refused" in fit or (not single and key == "free"):
+            continue
+        xmin, alpha = fit["xmin_over_tau"], fit["alpha"]
+        x = np.geomspace(xmin, max(largest * 1.2, 2 * xmin), 50)
+        share = fit["n_tail"] / fit["n"]
+        label = f"{names[key]}: $\\alpha$ = {alpha:.2f} ± {fit['sigma']:.2f}"
+        axes.plot(x, share * (alpha - 1) / xmin * (x / xmin) ** -alpha, line, color=fit_colour, lw=1.3, zorder=3,
+                  label=label if single else None)
+
+
+def mark_threshold(axes, statistics):
+    group = statistics.groups[0]
+    axes.axvline(group["t_min"] / group["tau"], color=style.GREY, lw=0.8, ls=":", zorder=0)
+
+
+def draw_survival(axes, statistics):
+    """Kaplan-Meier estimate for the arrests, censored ones included, and the two rival laws."""
+    colours = style.group_colours(len(statistics.groups))
+    lowest, longest, drawn = 0.3, 2.0, False
+    for index, group in enumerate(statistics.groups):
+        rows = statistics.rows("arrest_survival", index)
+        if not rows:
+            continue
+        drawn = True
+        x = np.array([group["t_min"] / group["tau"]] + [row["T/tau [1]"] for row in rows])
+        s = np.array([1.0] + [row["S [1]"] for row in rows])
+        error = np.array([0.0] + [row["error [1]"] for row in rows])
+        lowest, longest = min(lowest, s[s > 0].min()), max(longest, x.max())
+        axes.fill_between(x, np.maximum(s - error, 1e-9), np.minimum(s + error, 1), step="post", color=colours[index], alpha=0.18, lw=0)
+        axes.step(x, np.maximum(s, 1e-9), where="post", color=colours[index], label=survival_label(group))
+        draw_laws(axes, group, x, len(statistics.groups) == 1)
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    if drawn:
+        axes.set_ylim(0.5 * lowest, 4)
+    else:
+        style.say(axes, "no arrest ended by a passage")
+        axes.set_xlim(0.3, 30)
+        axes.set_ylim(0.01, 4)
+    axes.set_xlabel(r"arrest $T/\tau$ [1]")
+    axes.set_ylabel(r"survival of arrests $S(T/\tau)$ [1]")
+    style.legend(axes, loc="upper right")
+
+
+def survival_label(group):
+    arrests = group["arrests"]
+    cut = arrests["ended_by_release"] + arrests["ended_by_end_of_run"]
+    return f"{group['label']}: {arrests['ended_by_passage'] + cut} arrests, {cut} censored"
+
+
+def draw_laws(axes, group, x, single):
+    fit = group["power_law"]["fixed_censored"]
+    if not single or "refused" in fit:
+        return
+    tau, t_min = group["tau"], group["t_min"]
+    grid = np.geomspace(t_min / tau, x.max() * 1.1, 100)
+    axes.plot(grid, (grid * tau / t_min) ** (1 - fit["alpha"]), "--", color=style.INK, lw=1.2,
+              label=f"power law, $\\alpha$ = {fit['alpha']:.2f} ± {fit['sigma']:.2f}")
+    axes.plot(grid, np.exp(-fit["exponential"]["rate"] * (grid * tau - t_min)), ":", color=style.GREY, lw=1.4,
+              label=f"exponential (likelihood ratio: {fit['exponential']['favoured']})")
+
+
+def draw_exponents(axes, statistics):
+    """alpha against D/d, with the interval over seeds; 2 separates lasting from temporary clogs."""
+    for colour, group in zip(style.group_colours(len(statistics.groups)), statistics.groups):
+        alpha, low, high = value(group, "alpha_fixed")
+        if not np.isfinite(alpha):
+            continue
+        if np.isfinite(low):
+            axes.plot([neck_ratio(group)] * 2, [low, high], color=colour, lw=1)
+        axes.plot(neck_ratio(group), alpha, "o", color=colour, ms=5)
+    axes.axhline(2, color=style.GREY, lw=0.8, ls=":")
+    axes.set_xlabel("neck-to-particle ratio $D/d$ [1]")
+    axes.set_ylabel(r"exponent $\alpha$ ($T_{\min}=\tau/2$) [1]")
+
+
+def make(statistics, folder):
+    sweep = len({neck_ratio(group) for group in statistics.groups}) > 1
+    count = 3 if sweep else 2
+    figure, panels = plt.subplots(1, count, figsize=(3.5 * count, 3.4))
+    figure.get_layout_engine().set(wspace=0.06)
+    draw_density(panels[0], statistics)
+    draw_survival(panels[1], statistics)
+    if sweep:
+        draw_exponents(panels[2], statistics)
+    for letter, axes in zip("abc", panels):
+        axes.set_title(letter)
+    return style.save(figure, folder, "lapses")

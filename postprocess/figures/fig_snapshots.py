@@ -1,0 +1,123 @@
+"""A burst in three pictures: the arch before it, the burst, the arch after it (paper, figure 2)."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.collections import PatchCollection
+from matplotlib.colors import Normalize
+from matplotlib.patches import Circle
+
+import channel
+import run_file
+import style
+from stats_files import suffix
+
+MM = 1e3
+SPEED_COLOURS = "RdYlBu_r"  # as in the paper: dark blue at rest, dark red fast
+PANEL = 4.3                 # width of a panel [inch]
+
+
+def candidates(statistics, index):
+    """(burst size, file, times before, within, after) of every burst whose three moments were recorded."""
+    group = statistics.groups[index]
+    files = {entry["seed"]: entry for entry in group["runs"]}
+    bursts = {}
+    for row in statistics.rows("bursts", index):
+        bursts.setdefault(row["seed"], []).append(row)
+    found = []
+    for seed, rows in bursts.items():
+        times = np.array(run_file.snapshot_times(files[seed]["file"]))
+        passages = run_file.read_events(files[seed]["file"]).passage_times
+        for row, following in zip(rows, rows[1:] + [None]):
+            if row["kind"] == "cut off" or row["s [1]"] < 2 or len(times) == 0:
+                continue
+            inside = passages[(passages >= row["start [s]"] - 1e-12)][: int(row["s [1]"])]
+            if len(inside) < 2:
+                continue
+            end = following["start [s]"] if following else files[seed]["end"]
+            moments = pick(times, inside[0], inside[-1], end)
+            if moments:
+                found.append((row["s [1]"], files[seed]["file"], moments))
+    return found
+
+
+def pick(times, first, last, following):
+    """Recorded moments before, within and after a burst, or None."""
+    before = times[times < first]
+    within = times[(times >= first) & (times <= last)]
+    after = times[(times > last) & (times < following)]
+    if min(len(before), len(within), len(after)) == 0:
+        return None
+    return before[-1], within[np.argmin(np.abs(within - 0.5 * (first + last)))], after[-1]
+
+
+def choose(statistics, index):
+    """The largest burst that was recorded; failing that three moments of the first run with snapshots."""
+    found = candidates(statistics, index)
+    if found:
+        _, file, moments = max(found, key=lambda entry: entry[0])
+        return file, moments, ("arch", "burst", "new arch")
+    for entry in statistics.groups[index]["runs"]:
+        times = run_file.snapshot_times(entry["file"])
+        if len(times):
+            picked = [times[0], times[len(times) // 2], times[-1]][: len(times)]
+            return entry["file"], picked, [""] * len(picked)
+    return None, [], []
+
+
+def draw_particles(axes, snapshot, norm):
+    """Spheres as circles, those in front (large z) on top, coloured by speed."""
+    order = np.argsort(snapshot.position[:, 2])
+    xy, radius = snapshot.position[order, :2] * channel.UM, snapshot.radius[order] * channel.UM
+    circles = PatchCollection([Circle(p, r) for p, r in zip(xy, radius)], cmap=SPEED_COLOURS, norm=norm,
+                              edgecolor="#101820", linewidth=0.25, zorder=2)
+    circles.set_array(snapshot.speed[order] * MM)
+    axes.add_collection(circles)
+    return circles
+
+
+def frame(axes, group, snapshots):
+    """Walls of the scene, or the extent of the particles when the scene has no channel."""
+    if group["geometry"]["present"]:
+        channel.draw(axes, group["geometry"])
+        return
+    xy = np.concatenate([s.position[:, :2] for s in snapshots]) * channel.UM
+    margin = group["geometry"]["diameter"] * channel.UM
+    axes.set_xlim(xy[:, 0].min() - margin, xy[:, 0].max() + margin)
+    axes.set_ylim(xy[:, 1].min() - margin, xy[:, 1].max() + margin)
+    axes.set_aspect("equal")
+
+
+def draw(statistics, index, folder, name):
+    group = statistics.groups[index]
+    file, moments, titles = choose(statistics, index)
+    if file is None:
+        figure, axes = plt.subplots(figsize=(style.PAGE, 1.6))
+        style.say(axes, "no snapshots in these runs (output.snapshot_interval)")
+        axes.set_axis_off()
+        return style.save(figure, folder, name)
+    snapshots = [run_file.read_snapshot(file, t) for t in moments]
+    fastest = max([float(np.quantile(s.speed, 0.99)) for s in snapshots if len(s.speed)] + [1e-12])
+    norm = Normalize(0, fastest * MM)
+    figure, panels = plt.subplots(len(moments), 1, sharex=True, squeeze=False)
+    for axes, snapshot, title, letter in zip(panels[:, 0], snapshots, titles, "abc"):
+        frame(axes, group, snapshots)
+        circles = draw_particles(axes, snapshot, norm)
+        axes.set_ylabel(r"$y$ [µm]")
+        axes.set_title(f"{letter}  {title}".rstrip())
+        axes.set_title(f"$t$ = {snapshot.time / group['tau']:.2f} $\\tau$ = {snapshot.time * MM:.1f} ms", loc="right",
+                       fontweight="normal", fontsize=8.5)
+    # Panels of equal scale on both axes fill the page only if its height follows from their shape.
+    (left, right), (low, high) = panels[0, 0].get_xlim(), panels[0, 0].get_ylim()
+    figure.set_size_inches(PANEL + 1.35, len(moments) * (PANEL * (high - low) / (right - left) + 0.27) + 0.35)
+    panels[-1, 0].set_xlabel(r"$x$ [µm]")
+    bar = figure.colorbar(circles, ax=panels[:, 0], fraction=0.035, pad=0.02, aspect=40)
+    bar.set_label("particle speed [mm/s]")
+    bar.outline.set_linewidth(0.6)
+    return style.save(figure, folder, name)
+
+
+def make(statistics, folder):
+    paths = []
+    for index in range(len(statistics.groups)):
+        paths += draw(statistics, index, folder, f"snapshots{suffix(statistics, index)}")
+    return paths

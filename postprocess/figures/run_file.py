@@ -1,0 +1,51 @@
+"""Reads the parts of a run file (run_NNNN.h5) that the figures need."""
+
+from dataclasses import dataclass
+
+import h5py
+import numpy as np
+
+
+@dataclass
+class Events:
+    passage_times: np.ndarray  # with friction on [s]
+    release_times: np.ndarray  # friction switched off [s]
+
+
+@dataclass
+class Snapshot:
+    time: float           # [s]
+    position: np.ndarray  # [n][3] [m]
+    speed: np.ndarray     # [n] [m/s]
+    radius: np.ndarray    # [n] [m]
+
+
+def read_events(path):
+    with h5py.File(path, "r") as file:
+        time = file["passages/time"][:]
+        off = file["passages/friction_off"][:].astype(bool)
+        return Events(time[~off], file["releases/off"][:])
+
+
+def read_series(path):
+    """Columns of the time series; porosity is [sample][strip]."""
+    with h5py.File(path, "r") as file:
+        return {name: file[f"series/{name}"][:] for name in ("time", "count", "packing_fraction", "porosity")}
+
+
+def snapshot_times(path):
+    with h5py.File(path, "r") as file:
+        return file["snapshots/time"][:]
+
+
+def read_snapshot(path, time):
+    """The snapshot recorded closest to a time [s]."""
+    with h5py.File(path, "r") as file:
+        group = file["snapshots"]
+        times = group["time"][:]
+        k = int(np.argmin(np.abs(times - time)))
+        first = group["first"][:]
+        end = first[k + 1] if k + 1 < len(first) else len(group["id"])
+        rows = slice(int(first[k]), int(end))
+        speed = np.linalg.norm(group["velocity"][rows], axis=1)
+        return Snapshot(float(times[k]), group["position"][rows], speed, group["radius"][rows])

@@ -1,0 +1,60 @@
+"""One look for all figures: sizes, fonts, colours, and saving as PNG and SVG."""
+
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402  (the backend must be chosen first)
+
+INK = "#1d2733"        # text and axes
+GREY = "#8a949e"       # guides and rivals
+CLOGGED = "#d3d7db"    # no flow in the spatio-temporal diagram
+WALL = "#c2c8ce"       # solid walls
+BLUE = "#1f5fa8"       # data of a single group
+RELEASE = "#c8432b"    # friction off
+COLUMN = 3.4           # width of one column [inch]
+PAGE = 7.0             # width of both [inch]
+
+plt.rcParams.update({
+    "figure.dpi": 100, "savefig.dpi": 220, "figure.constrained_layout.use": True,
+    "font.family": "DejaVu Sans", "mathtext.fontset": "dejavusans", "font.size": 8.5,
+    "axes.labelsize": 9, "axes.titlesize": 9, "axes.titlelocation": "left", "axes.titleweight": "bold",
+    "axes.edgecolor": INK, "axes.labelcolor": INK, "text.color": INK, "xtick.color": INK, "ytick.color": INK,
+    "axes.linewidth": 0.7, "xtick.direction": "in", "ytick.direction": "in", "xtick.top": True, "ytick.right": True,
+    "xtick.major.width": 0.7, "ytick.major.width": 0.7, "xtick.minor.width": 0.5, "ytick.minor.width": 0.5,
+    "legend.frameon": False, "legend.fontsize": 7.5, "legend.handlelength": 1.6, "lines.linewidth": 1.3,
+    "svg.fonttype": "none", "svg.hashsalt": "clogflow", "axes.axisbelow": True,
+})
+
+MARKERS = "osD^vP<>X"
+
+
+def group_colours(count):
+    """Dark to light from large to small particles; one group is the darkest."""
+    if count == 1:
+        return [BLUE]
+    return [plt.get_cmap("viridis")(0.88 * k / (count - 1)) for k in range(count)]
+
+
+def legend(axes, **where):
+    """Legend with the data first and the guides after them (matplotlib puts lines before error bars)."""
+    handles, labels = axes.get_legend_handles_labels()
+    order = sorted(range(len(handles)), key=lambda k: not hasattr(handles[k], "has_yerr"))
+    if order:
+        axes.legend([handles[k] for k in order], [labels[k] for k in order], **where)
+
+
+def say(axes, text):
+    """Writes into an empty panel what is missing, instead of failing."""
+    axes.text(0.5, 0.5, text, transform=axes.transAxes, ha="center", va="center", color=GREY, fontsize=9)
+
+
+def save(figure, folder, name):
+    """Both formats, without the date so that equal data give equal files. Returns the paths."""
+    paths = [Path(folder) / f"{name}.{kind}" for kind in ("png", "svg")]
+    for path in paths:
+        metadata = {"Date": None} if path.suffix == ".svg" else {"Software": None}
+        figure.savefig(path, metadata=metadata)
+    plt.close(figure)
+    return paths

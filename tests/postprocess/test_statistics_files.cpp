@@ -1,0 +1,200 @@
+// From run files to stats.json and tables: what went in must come out.
+#include <fstream>
+
+#include <gmock/gmock.h>
+
+#include "postprocess/run_groups.hpp"
+#include "postprocess/scene_lines.hpp"
+#include "postprocess/statistics_files.hpp"
+#include "tests/postprocess/synthetic_ensemble.hpp"
+
+namespace clog::postprocess {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class StatisticsFiles : public testing::Test {
+protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    here_ = std::filesystem::path(testing::TempDir()) / (std::string("clog_statistics_") + test->name());
+    std::filesystem::remove_all(here_);
+    std::filesystem::create_directories(here_);
+  }
+  void TearDown() override { std::filesystem::remove_all(here_); }
+
+  json statistics_of(const std::vector<std::filesystem::path>& folders) {
+    StatisticsJob job{.folders = folders, .out = here_ / "stats", .threshold = {}, .request = {}};
+    job.request.p_value_replicates = 50;
+    return write_statistics(job);
+  }
+
+  std::string text(const char* file) {
+    std::ifstream in(here_ / "stats" / file);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+
+  std::filesystem::path here_;
+  SyntheticEnsemble short_runs_{.mean_burst = 6, .end = 0.5, .snapshot_interval = 0, .more = {}};
+};
+
+double number(const json& group, const char* quantity) { return group["quantities"][quantity]["value"]; }
+
+TEST_F(StatisticsFiles, recovers_the_laws_that_made_the_runs) {
+  const SyntheticEnsemble ensemble{.end = 6, .snapshot_interval = 0, .more = {}};
+  const auto all = statistics_of({write_ensemble(here_ / "runs", ensemble, 8)});
+  ASSERT_EQ(all["groups"].size(), 1U);
+  const auto& group = all["groups"][0];
+  EXPECT_NEAR(group["tau"].get<double>(), 6.6e-3, 1e-15);
+  EXPECT_NEAR(group["t_min"].get<double>(), 3.3e-3, 1e-15);
+  EXPECT_NEAR(number(group, "mean_burst"), 12, 1.5);  // about 1000 bursts: three standard errors
+  EXPECT_NEAR(number(group, "alpha_fixed"), 2.5, 0.2);
+  EXPECT_NEAR(group["power_law"]["fixed_censored"]["alpha"].get<double>(), number(group, "alpha_fixed"), 1e-12);
+  EXPECT_GT(group["power_law"]["fixed"]["p_value"].get<double>(), 0.02);
+  EXPECT_EQ(group["power_law"]["fixed"]["exponential"]["favoured"], "power law");
+  const auto& mean = group["quantities"]["mean_burst"];
+  EXPECT_LT(mean["low"], mean["value"]);
+  EXPECT_GT(mean["high"], mean["value"]);
+  EXPECT_FALSE(mean["ages"].get<bool>());
+  EXPECT_NEAR(group["steady"]["packing_fraction"]["value"].get<double>(), 0.45, 0.01);
+  EXPECT_NEAR(group["steady"]["porosity"][2]["value"].get<double>(), 0.53, 0.01);
+  EXPECT_NEAR(group["steady"]["particles"]["value"].get<double>(), 954, 10);
+  EXPECT_TRUE(group["quantities"]["share_failed"]["value"].is_null());
+  EXPECT_EQ(group["runs"][0]["filling_time"], 0.08);
+  EXPECT_EQ(group["label"], "D/d = 3.03");
+}
+
+TEST_F(StatisticsFiles, releases) {
+  auto ensemble = short_runs_;
+  ensemble.protocol = "release";
+  ensemble.end = 10;
+  const auto all = statistics_of({write_ensemble(here_ / "runs", ensemble, 6)});
+  const auto& group = all["groups"][0];
+  EXPECT_EQ(group["protocol"], "release");
+  EXPECT_NEAR(number(group, "mean_burst"), 6, 0.7);
+  EXPECT_NEAR(number(group, "passages_while_off"), 0.7, 0.06);
+  EXPECT_EQ(number(group, "share_failed"), 0);
+  EXPECT_EQ(group["bursts"]["first"], 6);
+  EXPECT_GT(group["arrests"]["ended_by_release"].get<int>(), 500);
+  EXPECT_EQ(group["power_law"]["fixed_censored"]["refused"], "no arrest that ended with a passage");
+}
+
+TEST_F(StatisticsFiles, tables_carry_units) {
+  statistics_of({write_ensemble(here_ / "runs", short_runs_, 2)});
+  EXPECT_THAT(text("lapses.csv"), StartsWith("group,seed,start [s],T [s],T/tau [1],ended_by\n0,1,"));
+  EXPECT_THAT(text("bursts.csv"), StartsWith("group,seed,start [s],duration [s],s [1],while_off [1],kind\n"));
+  EXPECT_THAT(text("arrests.csv"), StartsWith("group,seed,start [s],T [s],T/tau [1],ended_by,censored\n"));
+  EXPECT_THAT(text("burst_distribution.csv"), StartsWith("group,s_from [1],s_to [1],s/<s> [1],count,P [1],error [1]\n0,0.5,"));
+  EXPECT_THAT(text("arrest_survival.csv"), StartsWith("group,T [s],T/tau [1],S [1],error [1],at_risk,ended\n0,"));
+  EXPECT_EQ(json::parse(text("stats.json"))["units"]["tau"], "s");
+}
+
+TEST_F(StatisticsFiles, same_input_same_bytes) {
+  const auto runs = write_ensemble(here_ / "runs", short_runs_, 3);
+  statistics_of({runs});
+  const auto once = text("stats.json");
+  statistics_of({runs});
+  EXPECT_EQ(text("stats.json"), once);
+}
+
+TEST_F(StatisticsFiles, runs_without_a_passage_are_no_failure) {
+  auto run = synthetic_run(short_runs_, 1);
+  run.passages = {};
+  std::filesystem::create_directories(here_ / "runs");
+  write_run_file(run, here_ / "runs" / "run_0001.h5");
+  const auto all = statistics_of({here_ / "runs"});
+  const auto& group = all["groups"][0];
+  EXPECT_EQ(group["power_law"]["free"]["refused"], "no lapse longer than 0");
+  EXPECT_EQ(number(group, "share_permanent"), 1);
+  EXPECT_TRUE(group["quantities"]["mean_burst"]["value"].is_null());
+}
+
+TEST_F(StatisticsFiles, a_sweep_is_grouped_by_scene) {
+  auto large = short_runs_;
+  large.diameter = "50 um";
+  write_ensemble(here_ / "sweep" / "d33", short_runs_, 2);
+  write_ensemble(here_ / "sweep" / "d50", large, 3);
+  const auto all = statistics_of({here_ / "sweep"});
+  ASSERT_EQ(all["groups"].size(), 2U);
+  EXPECT_EQ(all["groups"][0]["label"], "D/d = 2");
+  EXPECT_EQ(all["groups"][0]["runs"].size(), 3U);
+  EXPECT_THAT(all["sweep"].get<std::vector<std::string>>(), testing::Contains("particles.diameter"));
+}
+
+TEST_F(StatisticsFiles, refusals_name_the_file) {
+  auto large = short_runs_;
+  large.diameter = "50 um";
+  const auto runs = write_ensemble(here_ / "runs", short_runs_, 2);
+  write_run_file(synthetic_run(large, 3), runs / "run_0003.h5");
+  EXPECT_THAT(refusal([&] { statistics_of({runs}); }),
+              AllOf(HasSubstr("run_0003.h5: another scene than run_0001.h5 in the same folder"),
+                    HasSubstr("a sweep has a folder for each scene")));
+  std::filesystem::remove(runs / "run_0003.h5");
+
+  const auto copies = write_ensemble(here_ / "copies", short_runs_, 1);
+  EXPECT_THAT(refusal([&] { statistics_of({runs, copies}); }), HasSubstr("copies/run_0001.h5: seed 1 of this scene was already read from"));
+
+  std::filesystem::resize_file(runs / "run_0002.h5", 3000);
+  EXPECT_THAT(refusal([&] { statistics_of({runs}); }), HasSubstr("run_0002.h5"));
+  std::filesystem::create_directories(here_ / "empty");
+  EXPECT_THAT(refusal([&] { statistics_of({here_ / "empty"}); }), HasSubstr("empty: no run_*.h5 here or one folder below"));
+  EXPECT_THAT(refusal([&] { statistics_of({here_ / "nowhere"}); }), HasSubstr("nowhere: no such folder"));
+}
+
+TEST_F(StatisticsFiles, no_flow_needs_a_threshold) {
+  auto run = synthetic_run(short_runs_, 1);
+  run.scene_text = effective_scene(parse_scene(R"(
+[box]
+min = ["0 m", "0 m", "0 m"]
+max = ["1 mm", "1 mm", "1 mm"]
+[fluid]
+viscosity = "1e-3 Pa s"
+density = "1000 kg/m3"
+[particles]
+diameter = "33 um"
+[contact]
+youngs_modulus = "3e6 Pa"
+poisson_ratio = 0.35
+[time]
+end = "1 s"
+)", "box.toml"));
+  std::filesystem::create_directories(here_ / "runs");
+  write_run_file(run, here_ / "runs" / "run_0001.h5");
+  EXPECT_THAT(refusal([&] { statistics_of({here_ / "runs"}); }), HasSubstr("run_0001.h5: its scene has no flow, hence no Stokes time"));
+  EXPECT_EQ(gather({here_ / "runs"}, 0.004).front().scale.tau, 0.008);
+}
+
+TEST_F(StatisticsFiles, an_output_that_cannot_be_written_is_named) {
+  const auto runs = write_ensemble(here_ / "runs", short_runs_, 1);
+  std::ofstream(here_ / "stats") << "a file, not a folder";
+  EXPECT_THAT(refusal([&] { statistics_of({runs}); }), HasSubstr("stats: cannot be created"));
+  std::filesystem::remove(here_ / "stats");
+  std::filesystem::create_directories(here_ / "stats" / "stats.json");
+  EXPECT_THAT(refusal([&] { statistics_of({runs}); }), HasSubstr("stats.json: cannot be renamed"));
+}
+
+TEST(Filling, an_empty_start_counts_from_the_full_channel) {
+  SyntheticEnsemble ensemble{.end = 1, .snapshot_interval = 0, .more = {}};
+  auto run = synthetic_run(ensemble, 1);
+  Scene scene = parse_scene(run.scene_text, "synthetic.toml");
+  EXPECT_EQ(end_of_filling(run, scene), 0);
+  scene.inlet.start = InletStart::empty;
+  for (std::size_t i = 0; i < run.series.time.size(); ++i) {
+    run.series.count[i] = static_cast<std::int64_t>(std::min(1000.0, 5000 * run.series.time[i]));
+  }
+  EXPECT_NEAR(end_of_filling(run, scene), 0.19, 1e-3);  // 950 of 1000
+}
+
+TEST(SceneLines, differences_and_what_does_not_matter) {
+  const auto a = scene_lines("body_force = 1\n# note\n[time]\nend = \"1 s\"\n[output]\nseries_interval = \"2 s\"\n");
+  const auto b = scene_lines("body_force = 1\n[time]\nend = \"2 s\"\n[ensemble]\nseeds = [1]\n[drag]\nenabled = true\n");
+  EXPECT_THAT(differing_keys(a, b), ElementsAre("time.end", "drag.enabled"));
+  EXPECT_TRUE(differing_keys(a, a).empty());
+}
+
+}  // namespace
+}  // namespace clog::postprocess
