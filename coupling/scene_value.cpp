@@ -157,17 +157,26 @@ struct Reader {
 
 }  // namespace
 
-std::string shown_value(const toml::node& value) {
-  std::string text;
-  if (value.is_string()) {
-    text = fmt::format("\"{}\"", value.as_string()->get());
-  } else if (value.is_table()) {
-    text = "{...}";
-  } else {
-    std::ostringstream stream;
-    value.visit([&stream](const auto& node) { stream << node; });
-    text = stream.str();
+namespace {
+
+std::string whole_text(const toml::node& value) {
+  if (value.is_string()) return fmt::format("\"{}\"", value.as_string()->get());
+  if (value.is_floating_point()) return fmt::format("{}", value.as_floating_point()->get());
+  if (value.is_table()) return "{...}";
+  if (const toml::array* array = value.as_array()) {
+    std::string text;
+    for (const toml::node& item : *array) text += (text.empty() ? "" : ", ") + whole_text(item);
+    return "[" + text + "]";
   }
+  std::ostringstream stream;
+  value.visit([&stream](const auto& node) { stream << node; });
+  return stream.str();
+}
+
+}  // namespace
+
+std::string shown_value(const toml::node& value) {
+  std::string text = whole_text(value);
   for (char& c : text)
     if (static_cast<unsigned char>(c) < ' ') c = ' ';
   constexpr std::size_t longest = 80;

@@ -1,0 +1,143 @@
+// clog info: what a scene, a flow file or a run file holds, in words.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "cli/verbs.hpp"
+#include "coupling/content_hash.hpp"
+#include "coupling/flow_grid.hpp"
+#include "coupling/hdf5_file.hpp"
+#include "coupling/require.hpp"
+#include "coupling/run_file.hpp"
+#include "coupling/scene.hpp"
+
+namespace clog::cli {
+namespace {
+
+struct InfoOptions {
+  std::filesystem::path file;
+  Overrides overrides;
+  bool effective = false;
+  bool flow_hash = false;
+  bool flow_inputs = false;
+};
+
+/// Lengths for a reader's eye; files and memory hold metres.
+std::string micrometres(double length) { return fmt::format("{:.4g} um", 1e6 * length); }
+
+void print_record(const nlohmann::json& record) {
+  if (!record.is_object()) return;
+  for (const auto& [key, value] : record.items()) {
+    std::string text = value.is_string() ? value.get<std::string>() : value.dump();
+    constexpr std::size_t longest = 100;
+    if (text.size() > longest) text = text.substr(0, longest) + "...";
+    std::ranges::replace(text, '\n', ' ');
+    fmt::print("  {}: {}\n", key, text);
+  }
+}
+
+void print_scene(const std::string& text) {
+  fmt::print("made for this scene:\n");
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    fmt::print("  {}\n", text.substr(at, end - at));
+    at = end + 1;
+  }
+}
+
+void print_flow(const FlowGrid& grid, const std::string& name) {
+  const auto& n = grid.points;
+  const auto solid = std::ranges::count(grid.solid, std::uint8_t{1});
+  double fastest = 0;
+  for (std::size_t i = 0; i + 2 < grid.velocity.size(); i += 3)
+    fastest = std::max(
+        fastest, std::hypot(double{grid.velocity[i]}, grid.velocity[i + 1], grid.velocity[i + 2]));
+  const Vec3 last = grid.origin + grid.spacing * Vec3(n[0] - 1, n[1] - 1, n[2] - 1);
+  fmt::print("{}: a flow file: the velocity of the undisturbed fluid on a regular grid\n", name);
+  fmt::print("grid: {} x {} x {} points, {} apart\n", n[0], n[1], n[2], micrometres(grid.spacing));
+  for (int axis = 0; axis < 3; ++axis)
+    fmt::print("  {} from {} to {}\n", "xyz"[axis], micrometres(grid.origin[axis]),
+               micrometres(last[axis]));
+  fmt::print("fluid at {:.1f} % of the points; fastest {:.4g} mm/s\n",
+             100.0 - 100.0 * static_cast<double>(solid) / static_cast<double>(grid.solid.size()),
+             1e3 * fastest);
+  fmt::print("walls: {} triangles\nhash: {}\nwhere it comes from:\n", grid.walls.size(), grid.hash);
+  print_record(grid.provenance);
+  print_scene(grid.scene_text);
+}
+
+void print_run(const RunData& run, const std::string& name) {
+  fmt::print("{}: a run file: what the particles of seed {} did in {:.6g} s\n", name, run.seed,
+             run.end_time);
+  fmt::print("passages: {}", run.passages.time.size());
+  if (!run.passages.time.empty()) {
+    const auto off = std::ranges::count(run.passages.friction_off, std::uint8_t{1});
+    fmt::print(", from {:.6g} s to {:.6g} s, {} of them while friction was off",
+               run.passages.time.front(), run.passages.time.back(), off);
+  }
+  fmt::print("\nreleases of a clog: {}\n", run.releases.off.size());
+  fmt::print("time series: {} samples", run.series.time.size());
+  if (!run.series.time.empty())
+    fmt::print("; at the end {} particles, packing fraction {:.3f}, {} contacts, {} with walls",
+               run.series.count.back(), run.series.packing_fraction.back(),
+               run.series.contacts.back(), run.series.wall_contacts.back());
+  fmt::print("\nsnapshots: {}", run.snapshots.size());
+  if (!run.snapshots.empty())
+    fmt::print(", the last at {:.6g} s with {} particles", run.snapshots.back().time,
+               run.snapshots.back().id.size());
+  fmt::print("\nwhere it comes from:\n");
+  print_record(run.provenance);
+  print_scene(run.scene_text);
+}
+
+void print_scene_file(const InfoOptions& options) {
+  const Scene scene = read_scene(options.file, options.overrides);
+  const bool solved = scene.flow.source == FlowSource::openfoam;
+  const std::string hash = solved ? content_hash(flow_inputs(scene)) : "";
+  if (options.flow_hash) {
+    if (solved) fmt::print("{}\n", hash);
+  } else if (options.flow_inputs) {
+    fmt::print("{}", flow_inputs(scene));
+  } else if (options.effective) {
+    fmt::print("{}", effective_scene(scene));
+  } else {
+    fmt::print("{}: a scene: particles of {} for {:.6g} s, {} seeds\n", options.file.string(),
+               micrometres(scene.particles.diameter), scene.time.end, scene.ensemble.seeds.size());
+    if (solved) fmt::print("flow: OpenFOAM, hash {}\n", hash);
+    fmt::print("with every default filled in:\n{}", effective_scene(scene));
+  }
+}
+
+void print_info(const InfoOptions& options) {
+  if (options.file.extension() == ".toml") return print_scene_file(options);
+  require(
+      options.overrides.empty() && !options.effective && !options.flow_hash && !options.flow_inputs,
+      "{} (--set, --effective, --flow-hash and --flow-inputs are for scene files, *.toml)",
+      options.file.string());
+  const FileFormat format = file_format(options.file);
+  const std::string name = options.file.string();
+  if (format.name == "clogflow flow") return print_flow(read_flow_grid(options.file), name);
+  if (format.name == "clogflow run") return print_run(read_run_file(options.file), name);
+  fmt::print("{}: a \"{}\" file, version {}\n", name, format.name, format.version);
+}
+
+}  // namespace
+
+void add_info(CLI::App& app) {
+  auto* verb =
+      app.add_subcommand("info", "what a flow file, a run file or a scene holds, in words");
+  auto options = std::make_shared<InfoOptions>();
+  verb->add_option("file", options->file, "FILE.h5, or a scene")->required();
+  verb->add_option("--set", options->overrides, "key=value: overrides the scene")
+      ->allow_extra_args(false);
+  verb->add_flag("--effective", options->effective,
+                 "of a scene: only the complete scene, as TOML in SI units");
+  verb->add_flag("--flow-inputs", options->flow_inputs, "of a scene: only what decides its flow");
+  verb->add_flag("--flow-hash", options->flow_hash, "of a scene: only the name of its flow");
+  verb->callback([options] { print_info(*options); });
+}
+
+}  // namespace clog::cli

@@ -1,0 +1,7 @@
+clog_tests(test_scene_reading
+  SOURCES coupling/test_units.cpp coupling/test_scene.cpp coupling/test_scene_refusals.cpp
+  LIBRARIES clog_coupling LABELS unit)
+clog_tests(test_flow_case
+  SOURCES coupling/test_channel_geometry.cpp coupling/test_duct_flow.cpp
+          coupling/test_foam_case_writer.cpp coupling/test_foam_log.cpp coupling/test_foam_samples.cpp
+  LIBRARIES clog_coupling LABELS unit)
