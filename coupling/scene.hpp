@@ -108,6 +108,7 @@ struct Scene {
     bool enabled = false;
     InletStart start = InletStart::filled;
     double rate = 0;  ///< largest number of insertions per second [1/s]; 0: as many as fit
+    int taps = 2;     ///< moments without friction that consolidate a filled start [-]
   } inlet;
 
   std::array<double, 3> body_force{};  ///< on every particle [N]

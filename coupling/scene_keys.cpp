@@ -64,8 +64,8 @@ std::vector<Key> make_keys() {
       WORD(flow.source, "where the flow comes from; default openfoam with a [geometry], none without", "openfoam", "uniform", "none"),
       NUMBER(flow.mean_velocity, velocity, positive, "mean over the wide channel"),
       VECTOR(flow.velocity, velocity, "of a uniform flow: three velocities, or one along x"),
-      NUMBER(flow.mesh_cells_per_neck, number, (Range{.low = 4, .high = 400}), "mesh cells across the full neck width; default 24"),
-      NUMBER(flow.grid_spacing, length, positive, "of the regular grid; default neck_width / 32"),
+      NUMBER(flow.mesh_cells_per_neck, number, (Range{.low = 4, .high = 400}), "mesh cells across the full neck width; default 48"),
+      NUMBER(flow.grid_spacing, length, positive, "of the regular grid, a whole fraction of the neck height; default near neck_width / 40"),
       WORD(flow.lookup, "how the grid is read", "nearest", "trilinear"),
       SWITCH(flow.rescale, "scale the field to mean_velocity, so that one solution serves several velocities"),
       NUMBER(flow.pulsation.strength, number, non_negative, "standard deviation of a random factor on the whole flow; default 0: off"),
@@ -108,6 +108,7 @@ std::vector<Key> make_keys() {
       SWITCH(inlet.enabled, "default true when the section is present"),
       WORD(inlet.start, "channel filled behind a gate before time 0, or empty", "filled", "empty"),
       NUMBER(inlet.rate, rate, non_negative, "largest number of insertions per time; default 0: as many as fit"),
+      COUNT(inlet.taps, (Range{.low = 0, .high = 100}), "moments without friction that consolidate a filled start; default 2"),
 
       WORD(unclog.protocol, "what ends a clog: nothing, or a moment without friction", "none", "release"),
       NUMBER(unclog.after, time, positive, "nothing passed for this long; default 5 Stokes times"),

@@ -26,6 +26,9 @@ constexpr double full_after = 1.0;
 /// it will not come to rest at all.
 constexpr double longest_fill = 10;
 
+/// Friction is off for this many tau in a tap, as long as in a release of the paper's scene.
+constexpr double tap_duration = 0.23;
+
 /// Steps between two calls of the watcher.
 constexpr std::int64_t watch_every = 256;
 
@@ -95,20 +98,14 @@ void Simulation::fill(const Watcher& watcher) {
   const double radius = largest_radius(model_, particles_);
   walls_.change(closed, radius, particles_);
   lists_stale_ = true;
-  double last_insertion = 0, next_look = full_after * tau;
-  bool at_rest = false;
-  for (std::int64_t count = inlet_.inserted(); !at_rest && time() < bound;) {
-    compute_forces();
-    if (inlet_.inserted() != count) last_insertion = time();
-    count = inlet_.inserted();
-    if (time() >= next_look) {
-      next_look = time() + 0.1 * tau;
-      at_rest = time() - last_insertion > full_after * tau &&
-                clog_state(particles_, s).quantile_speed < watch_.rest_speed();
-    }
-    if (watcher && step_ % watch_every == 0)
-      watcher({-time(), s.time.end, step_, particle_steps_, particles_.size(), 0, false, true});
-    advance();
+  // Each tap lets the pack close its loosest arches; the channel then fills up again.
+  bool at_rest = fill_until_rest(bound, watcher);
+  for (int tap = 0; tap < s.inlet.taps; ++tap) {
+    const double end = time() + tap_duration * tau;
+    set_friction(false);
+    while (time() < end) step_filling(watcher);
+    set_friction(true);
+    at_rest = fill_until_rest(time() + bound, watcher);
   }
   fill_time_ = time();
   data_.provenance["fill_at_rest"] = at_rest;
@@ -119,6 +116,30 @@ void Simulation::fill(const Watcher& watcher) {
   inlet_.restart_clock();
   drag_work_ = body_work_ = 0;
   watch_ = ClogWatch(s);
+}
+
+bool Simulation::fill_until_rest(double bound, const Watcher& watcher) {
+  const double tau = model_.scene.stokes_time();
+  double last_insertion = time(), next_look = time() + full_after * tau;
+  while (time() < bound) {
+    const std::int64_t before = inlet_.inserted();
+    step_filling(watcher);
+    if (inlet_.inserted() != before) last_insertion = time();
+    if (time() < next_look) continue;
+    next_look = time() + 0.1 * tau;
+    if (time() - last_insertion > full_after * tau &&
+        clog_state(particles_, model_.scene).quantile_speed < watch_.rest_speed())
+      return true;
+  }
+  return false;
+}
+
+void Simulation::step_filling(const Watcher& watcher) {
+  compute_forces();
+  if (watcher && step_ % watch_every == 0)
+    watcher({-time(), model_.scene.time.end, step_, particle_steps_, particles_.size(), 0, false,
+             true});
+  advance();
 }
 
 void Simulation::compute_forces() {

@@ -55,6 +55,8 @@ public:
   const ContactTally& wall_tally() const { return wall_tally_; }
 
 private:
+  bool fill_until_rest(double bound, const Watcher& watcher);
+  void step_filling(const Watcher& watcher);
   void feed_inlet(double time);
   void take_out();
   void rebuild_lists();
