@@ -10,6 +10,7 @@ int main(int argc, char** argv) {
   CLI::App app{"clogflow: clogging of suspensions, from the flow field to the statistics", "clog"};
   app.require_subcommand(1);
   app.set_version_flag("--version", CLOG_VERSION);
+  clog::cli::add_plan(app);
   clog::cli::add_case(app);
   clog::cli::add_map(app);
   clog::cli::add_run(app);

@@ -1,0 +1,53 @@
+// clog plan: what a scene needs, the limits of the step, what a run costs.
+
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "cli/verbs.hpp"
+#include "dem/plan.hpp"
+
+namespace clog::cli {
+namespace {
+
+struct PlanOptions {
+  std::filesystem::path scene;
+  Overrides overrides;
+};
+
+void print_limit(const char* what, double limit, double dt) {
+  if (limit > 0) fmt::print("  {:<34} {:>10.3g} s   dt / limit {:.3g}\n", what, limit, dt / limit);
+}
+
+void print_plan(const PlanOptions& options) {
+  const Plan plan = make_plan(read_scene(options.scene, options.overrides));
+  fmt::print("{:<34} {:<42} {:>10}  {:<7} {:<9} {}\n", "term", "decided by", "value", "needed",
+             "modelled", "because");
+  for (const PlannedTerm& t : plan.terms)
+    fmt::print("{:<34} {:<42} {:>10.3g}  {:<7} {:<9} {}\n", t.term, t.number, t.value,
+               t.needed ? "yes" : "no", t.modelled ? "yes" : "no", t.reason);
+  fmt::print("\ntime step {:.4g} s\n", plan.dt);
+  print_limit("Hertz contact time", plan.contact_time, plan.dt);
+  print_limit("Rayleigh time", plan.rayleigh_time, plan.dt);
+  print_limit("explicit drag 2 m / c", plan.drag_limit, plan.dt);
+  print_limit("explicit lubrication 2 m* / c", plan.lubrication_limit, plan.dt);
+  print_limit("0.01 d per step in the neck", plan.way_limit, plan.dt);
+  fmt::print("\none seed: about {:.0f} particles, {:.3g} steps and {:.3g} to fill the channel, "
+             "{:.3g} MB, {:.3g} s on one core at {:.2g} particle-steps/s\n",
+             plan.particles, plan.steps, plan.filling_steps, 1e-6 * plan.memory, plan.seconds,
+             nominal_rate);
+  for (const std::string& line : warnings(plan)) fmt::print("warning: {}\n", line);
+}
+
+}  // namespace
+
+void add_plan(CLI::App& app) {
+  auto* verb = app.add_subcommand("plan", "what a scene needs and costs");
+  auto options = std::make_shared<PlanOptions>();
+  verb->add_option("scene", options->scene, "scene file (TOML)")->required();
+  verb->add_option("--set", options->overrides, "key=value: overrides the scene")->allow_extra_args(false);
+  verb->callback([options] { print_plan(*options); });
+}
+
+}  // namespace clog::cli

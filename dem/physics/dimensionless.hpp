@@ -1,0 +1,59 @@
+// Dimensionless numbers that decide which physics a scene needs.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+#include "dem/physics/drag.hpp"
+#include "dem/physics/porosity.hpp"
+
+namespace clog {
+
+/// A sphere in a fluid.
+struct SphereInFluid {
+  double diameter;          ///< d [m]
+  double density;           ///< of the sphere [kg/m3]
+  double fluid_density;     ///< [kg/m3]
+  double viscosity;         ///< eta [Pa s]
+};
+
+/// rho v L / eta: inertia of the fluid over its viscosity.
+inline double reynolds_number(double density, double speed, double length, double viscosity) {
+  return density * speed * length / viscosity;
+}
+
+/// Time in which drag makes a sphere follow the fluid: m / (3 pi eta d f) [s].
+/// \param voidage  f(eps) [-]
+inline double response_time(const SphereInFluid& s, double voidage) {
+  return s.density * sphere_volume(s.diameter / 2) /
+         (stokes_coefficient(s.viscosity, s.diameter) * voidage);
+}
+
+/// Stokes velocity of a heavy or light sphere over the flow's: |rho_p - rho_f| g d^2 / (18 eta v).
+inline double settling_ratio(const SphereInFluid& s, double speed) {
+  constexpr double gravity = 9.81;  // [m/s2]
+  return std::abs(s.density - s.fluid_density) * gravity * s.diameter * s.diameter /
+         (18 * s.viscosity * speed);
+}
+
+/// Advection over Brownian diffusion: v d / (k T / (3 pi eta d)), at 293 K.
+inline double peclet_number(const SphereInFluid& s, double speed) {
+  constexpr double thermal_energy = 1.380649e-23 * 293;  // [J]
+  return speed * s.diameter * stokes_coefficient(s.viscosity, s.diameter) / thermal_energy;
+}
+
+/// Inertia of an impact over the fluid film's resistance: St = m* v / (6 pi eta R*^2) for two equal
+/// spheres. Below about 10 the film takes all the energy and the dry restitution does not matter.
+/// \source Gondret, Lance & Petit, Phys. Fluids 14 (2002) 643
+inline double collision_stokes_number(const SphereInFluid& s, double speed) {
+  const double mass = s.density * sphere_volume(s.diameter / 2) / 2, radius = s.diameter / 4;
+  return mass * speed / (6 * std::numbers::pi * s.viscosity * radius * radius);
+}
+
+/// Overlap of a Hertz contact under a force: (3 F / (4 E* sqrt(R*)))^(2/3) [m].
+/// \source inverse of paper Eq. (1)
+inline double hertz_overlap(double force, double modulus, double radius) {
+  return std::pow(3 * force / (4 * modulus * std::sqrt(radius)), 2.0 / 3.0);
+}
+
+}  // namespace clog

@@ -1,0 +1,165 @@
+#include "dem/plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "coupling/channel_shape.hpp"
+#include "dem/initial_particles.hpp"
+#include "dem/model.hpp"
+#include "dem/physics/dimensionless.hpp"
+#include "dem/physics/lubrication.hpp"
+#include "dem/physics/time_step.hpp"
+
+namespace clog {
+
+namespace {
+
+/// Porosity of a pack at rest, for estimates made before a run (the paper: about 0.5; static packs of
+/// this program 0.55 to 0.6).
+constexpr double pack_porosity = 0.55;
+
+/// An arch carries the drag of about this many particles behind it: the flow's load on the pack over
+/// a few neck widths, shared by the arch's few contacts.
+constexpr double arch_load = 20;
+
+/// Below this ratio of diameter to overlap burst sizes are known to be biased (E = 3e5 Pa at 33 um); from
+/// 3e6 to 3e7 Pa they do not change.
+constexpr double softest = 30;
+
+/// Duration of a filled start in units of the time the flow needs for the channel, as seen.
+constexpr double filling_share = 0.7;
+
+/// Bytes per particle of state, pair list and springs.
+constexpr double bytes_per_particle = 900;
+
+struct Judge {
+  Plan& plan;
+  void operator()(PlannedTerm term) const { plan.terms.push_back(std::move(term)); }
+};
+
+void judge_fluid(const Scene& s, const Judge& term) {
+  const auto& g = s.geometry;
+  const double v = s.flow.mean_velocity;
+  const SphereInFluid sphere{s.particles.diameter, s.particles.density, s.fluid.density,
+                             s.fluid.viscosity};
+  const bool drag = s.drag.enabled;
+  if (g.present && v > 0) {
+    const double duct = reynolds_number(s.fluid.density, v, g.neck_height, s.fluid.viscosity);
+    const double neck = duct * g.channel_width / g.neck_width;
+    term({"fluid inertia in the channel", "Re = rho v D / eta", duct, duct > 0.1, true,
+          "simpleFoam solves Navier-Stokes"});
+    term({"fluid inertia in the neck", "Re at the neck's mean velocity", neck, neck > 0.1, true,
+          "below 0.1 one Stokes field serves all flow rates"});
+    const double slip = reynolds_number(s.fluid.density, v * g.channel_width / g.neck_width,
+                                        sphere.diameter, s.fluid.viscosity);
+    term({"inertial drag, lift, added mass", "Re_p = rho v_neck d / eta", slip, slip > 1, false,
+          "the drag law holds for Re_p << 1"});
+    term({"gravity", "settling velocity / v", settling_ratio(sphere, v),
+          settling_ratio(sphere, v) > 0.01, false, "density matched when 0"});
+    const double peclet = peclet_number(sphere, v);
+    term({"Brownian motion", "Pe = v d / D_0", peclet, peclet < 1e3, false, "diffusion << flow"});
+    term({"drag", "f(eps) in the pack", voidage_function(pack_porosity), true, drag,
+          "drives everything"});
+    const double stokes =
+        response_time(sphere, voidage_function(pack_porosity)) * s.time.mass_scale * v / sphere.diameter;
+    term({"particle inertia", "St = t_response v / d, mass scale included", stokes, stokes > 0.1, true,
+          stokes > 0.1 ? "mass scaled too far" : "irrelevant: mass may be scaled up"});
+    const double impact = collision_stokes_number(sphere, collision_speed_share * v);
+    term({"dry restitution", "St of a collision", impact, impact > 10, true,
+          "irrelevant below 10"});
+    term({"lubrication", "roughness gap 2 xi / d", 2 * s.particles.roughness / sphere.diameter,
+          2 * s.particles.roughness / sphere.diameter < 0.1, s.lubrication.enabled,
+          "films thinner than d/10 resist"});
+  }
+}
+
+void judge_contacts(const Scene& s, const Model& model, const Judge& term) {
+  const double v = s.flow.mean_velocity, d = s.particles.diameter;
+  if (v > 0) {
+    const double load = arch_load * voidage_function(pack_porosity) *
+                        stokes_coefficient(s.fluid.viscosity, d) * v / pack_porosity;
+    const double kappa = d / hertz_overlap(load, model.pair_law.modulus, d / 4);
+    term({"particle stiffness", "kappa = d / overlap in an arch", kappa, kappa < softest, true,
+          "softer particles let arches buckle"});
+  }
+  if (s.geometry.present)
+    term({"third dimension", "neck width / d", s.geometry.neck_width / d, true, true,
+          s.geometry.neck_width / d < 3 ? "close to a single layer" : "arches are domes"});
+  const auto& f = s.contact.friction;
+  term({"sliding friction", "mu", f.sliding, true, f.sliding > 0, "arches need it"});
+  term({"rolling friction", "mu_r", f.rolling, false, f.rolling > 0, "a term at 0 costs nothing"});
+  term({"torsion friction", "mu_o", f.torsion, false, f.torsion > 0, "a term at 0 costs nothing"});
+}
+
+void find_limits(const Scene& s, const Model& model, Plan& plan) {
+  const double d = s.particles.diameter, mass = model.particle(d / 2).mass;
+  const double shear = s.contact.youngs_modulus / (2 * (1 + s.contact.poisson_ratio));
+  plan.contact_time = model.contact_time;
+  plan.dt = model.dt;
+  plan.rayleigh_time = rayleigh_time(d / 2, s.particles.density * s.time.mass_scale, shear,
+                                     s.contact.poisson_ratio);
+  if (s.drag.enabled)
+    plan.drag_limit =
+        2 * mass / (stokes_coefficient(s.fluid.viscosity, d) *
+                    (s.porosity.strips > 0 ? voidage_function(pack_porosity) : 1.0));
+  if (s.lubrication.enabled)
+    plan.lubrication_limit =
+        mass / lubrication_coefficient(s.fluid.viscosity, d / 4, 2 * s.particles.roughness);
+  if (s.geometry.present && s.flow.mean_velocity > 0)
+    plan.way_limit = 0.01 * d / (s.flow.mean_velocity * s.geometry.channel_width /
+                                 s.geometry.neck_width / pack_porosity);
+}
+
+void estimate_cost(const Scene& s, const Model& model, Plan& plan) {
+  plan.steps = static_cast<double>(model.steps);
+  plan.particles = static_cast<double>(read_initial_particles(s).size());
+  if (s.inlet.enabled) {
+    const double start = channel_start(s);
+    plan.particles += (1 - pack_porosity) * channel_volume(s, start, 0) /
+                      sphere_volume(s.particles.diameter / 2);
+    if (s.inlet.start == InletStart::filled)
+      plan.filling_steps =
+          filling_share * s.geometry.channel_length / s.flow.mean_velocity / model.dt;
+  }
+  plan.memory = bytes_per_particle * plan.particles;
+  plan.seconds = (plan.steps + plan.filling_steps) * plan.particles / nominal_rate;
+}
+
+}  // namespace
+
+Plan make_plan(const Scene& scene) {
+  const Model model = make_model(scene, nullptr, read_initial_particles(scene));
+  Plan plan;
+  judge_fluid(scene, Judge{plan});
+  judge_contacts(scene, model, Judge{plan});
+  find_limits(scene, model, plan);
+  estimate_cost(scene, model, plan);
+  return plan;
+}
+
+std::vector<std::string> warnings(const Plan& plan) {
+  std::vector<std::string> lines;
+  for (const PlannedTerm& t : plan.terms) {
+    if (t.needed && !t.modelled)
+      lines.push_back(fmt::format("{} is needed ({} = {:.3g}) but not modelled", t.term, t.number,
+                                  t.value));
+    if (t.term == "particle inertia" && t.needed)
+      lines.push_back(fmt::format("{} = {:.3g}: lower time.mass_scale", t.number, t.value));
+    if (t.term == "particle stiffness" && t.needed)
+      lines.push_back(fmt::format("{} = {:.3g} (bursts are biased below 30): raise contact.youngs_modulus",
+                                  t.number, t.value));
+  }
+  const auto limit = [&](double value, const char* what) {
+    if (value > 0 && plan.dt > value)
+      lines.push_back(fmt::format("the step of {:.3g} s is above the {} limit of {:.3g} s", plan.dt,
+                                  what, value));
+  };
+  limit(plan.drag_limit, "explicit drag");
+  limit(plan.lubrication_limit, "explicit lubrication");
+  limit(plan.way_limit, "0.01 d per step");
+  return lines;
+}
+
+}  // namespace clog
