@@ -1,4 +1,5 @@
 // Defaults that depend on other keys, in the order in which they depend on each other.
+#include <algorithm>
 #include <cmath>
 
 #include "coupling/require.hpp"
@@ -59,8 +60,12 @@ void fill_flow(SceneDraft& draft) {
     need(draft, "flow.mean_velocity", reason);
     need(draft, "fluid.viscosity", reason);
     need(draft, "fluid.density", reason);
-    if (!draft.has("flow.mesh_cells_per_neck")) flow.mesh_cells_per_neck = 24;
-    if (!draft.has("flow.grid_spacing")) flow.grid_spacing = geometry.neck_width / 32;
+    if (!draft.has("flow.mesh_cells_per_neck")) flow.mesh_cells_per_neck = 48;
+    // A whole number of layers, near 40 for each neck width.
+    if (!draft.has("flow.grid_spacing")) {
+      const double layers = std::round(40 * geometry.neck_height / geometry.neck_width);
+      flow.grid_spacing = geometry.neck_height / std::max(1.0, layers);
+    }
   }
   if (flow.source == FlowSource::uniform && !draft.has("flow.velocity")) {
     require(draft.has("flow.mean_velocity"),

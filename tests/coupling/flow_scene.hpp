@@ -1,0 +1,67 @@
+// A small scene with an OpenFOAM flow.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "coupling/scene.hpp"
+
+namespace clog {
+
+inline Scene flow_scene(const Overrides& overrides = {}) {
+  return parse_scene(R"(
+[geometry]
+neck_width = "100 um"
+half_angle = "60 deg"
+[fluid]
+viscosity = "1.8e-3 Pa s"
+density = "1062 kg/m3"
+[flow]
+source = "openfoam"
+mean_velocity = "5 mm/s"
+mesh_cells_per_neck = 16
+grid_spacing = "5 um"
+[particles]
+diameter = "33 um"
+[contact]
+youngs_modulus = "3 MPa"
+poisson_ratio = 0.35
+[time]
+end = "1 s"
+[ensemble]
+seeds = "1"
+)", "flow scene", overrides);
+}
+
+/// A folder of its own that goes away with the test.
+class ScratchFolder {
+public:
+  ScratchFolder() {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    path_ = std::filesystem::temp_directory_path() /
+            (std::string("clogflow_") + test->test_suite_name() + "_" + test->name() + "_" +
+             std::to_string(getpid()));
+    std::filesystem::remove_all(path_);
+    std::filesystem::create_directories(path_);
+  }
+  ~ScratchFolder() { std::filesystem::remove_all(path_); }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+private:
+  std::filesystem::path path_;
+};
+
+inline void write_file(const std::filesystem::path& file, const std::string& text) {
+  std::filesystem::create_directories(file.parent_path());
+  std::ofstream(file) << text;
+}
+
+inline std::filesystem::path foam_template() { return std::filesystem::path(CLOG_SOURCE_DIR) / "foam_case"; }
+
+}  // namespace clog

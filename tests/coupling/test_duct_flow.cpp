@@ -1,0 +1,61 @@
+#include "coupling/duct_flow.hpp"
+
+#include <gmock/gmock.h>
+
+#include "coupling/require.hpp"
+#include "tests/coupling/refusal.hpp"
+
+namespace clog {
+namespace {
+
+// Shah & London, Laminar Flow Forced Convection in Ducts, table 42: largest over mean velocity.
+TEST(DuctFlow, LargestVelocityIsThePublishedOne) {
+  EXPECT_NEAR(DuctFlow(1, 1)(0, 0.5), 2.0962, 1e-4);
+  EXPECT_NEAR(DuctFlow(2, 1)(0, 0.5), 1.9918, 2e-4);
+  EXPECT_NEAR(DuctFlow(4, 1)(0, 0.5), 1.7737, 2e-4);
+}
+
+TEST(DuctFlow, BecomesTheParabolaBetweenPlates) {
+  const DuctFlow duct(1000, 1);
+  EXPECT_NEAR(duct(0, 0.5), 1.5, 1.5e-3);  // the side walls slow 0.63 / 1000 of the width
+  EXPECT_NEAR(duct(0, 0.25) / duct(0, 0.5), 0.75, 1e-5);
+}
+
+TEST(DuctFlow, DoesNotDependOnWhichSideIsCalledWidth) {
+  const DuctFlow flat(3, 1), tall(1, 3);
+  EXPECT_NEAR(flat(0.7, 0.2), tall(0.2 - 0.5, 0.7 + 1.5), 1e-12);
+  const double a = flat.mean_over({.y_min = 0.1, .y_max = 0.7, .z_min = 0.2, .z_max = 0.3});
+  const double b = tall.mean_over({.y_min = -0.3, .y_max = -0.2, .z_min = 1.6, .z_max = 2.2});
+  EXPECT_NEAR(a, b, 1e-12);
+}
+
+TEST(DuctFlow, IsZeroOnAndBehindTheWalls) {
+  const DuctFlow duct(4e-4, 1e-4);
+  EXPECT_EQ(duct(2e-4, 5e-5), 0);
+  EXPECT_EQ(duct(0, 0), 0);
+  EXPECT_EQ(duct(0, 1e-4), 0);
+  EXPECT_EQ(duct(-3e-4, 5e-5), 0);
+}
+
+TEST(DuctFlow, MeansOverTilesAddUpToTheMean) {
+  const DuctFlow duct(4, 1);
+  EXPECT_NEAR(duct.mean_over({.y_min = -2, .y_max = 2, .z_min = 0, .z_max = 1}), 1, 1e-7);
+  double sum = 0;
+  for (int i = 0; i < 8; ++i) {
+    sum += duct.mean_over({.y_min = -2 + 0.5 * i, .y_max = -1.5 + 0.5 * i, .z_min = 0, .z_max = 1}) / 8;
+  }
+  EXPECT_NEAR(sum, 1, 1e-7);
+}
+
+TEST(DuctFlow, MeanOverASmallRectangleIsTheVelocityThere) {
+  const DuctFlow duct(4, 1);
+  const double mean = duct.mean_over({.y_min = 1.2, .y_max = 1.201, .z_min = 0.3, .z_max = 0.301});
+  EXPECT_NEAR(mean, duct(1.2005, 0.3005), 1e-6);
+}
+
+TEST(DuctFlow, RefusesADuctWithoutASide) {
+  EXPECT_THAT(refusal([] { DuctFlow(0, 1); }), testing::HasSubstr("both sides must be positive"));
+}
+
+}  // namespace
+}  // namespace clog

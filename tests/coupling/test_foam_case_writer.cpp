@@ -1,0 +1,160 @@
+#include "coupling/foam_case_writer.hpp"
+
+#include <cmath>
+#include <fstream>
+#include <string>
+
+#include <gmock/gmock.h>
+
+#include "coupling/content_hash.hpp"
+#include "coupling/flow_lattice.hpp"
+#include "coupling/flow_mesh.hpp"
+#include "coupling/foam_dictionaries.hpp"
+#include "coupling/text_file.hpp"
+#include "tests/coupling/flow_scene.hpp"
+#include "tests/coupling/refusal.hpp"
+
+namespace clog {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+std::string hash_of(const Overrides& overrides) { return content_hash(flow_inputs(flow_scene(overrides))); }
+
+TEST(FoamCaseWriter, WritesAWholeCase) {
+  const ScratchFolder scratch;
+  const fs::path folder = scratch.path() / "case";
+  EXPECT_EQ(write_foam_case(flow_scene(), folder, foam_template()), FoamCaseState::written);
+  for (const char* name :
+       {"Allrun", "Allclean", "hash", "scene.toml", "0.orig/U", "0.orig/p", "constant/inletProfile",
+        "constant/transportProperties", "constant/turbulenceProperties", "system/sceneDict",
+        "system/blockMeshDict", "system/controlDict", "system/fvSchemes", "system/fvSolution",
+        "system/topoSetDict", "system/postProcessDict"}) {
+    EXPECT_TRUE(fs::is_regular_file(folder / name)) << name;
+  }
+  EXPECT_EQ(read_text_file(folder / "hash"), hash_of({}) + "\n");
+  EXPECT_EQ(effective_scene(parse_scene(read_text_file(folder / "scene.toml"), "scene.toml")),
+            effective_scene(flow_scene()));
+  EXPECT_NE(fs::status(folder / "Allrun").permissions() & fs::perms::owner_exec, fs::perms::none);
+}
+
+TEST(FoamCaseWriter, KeepsASolvedFlowAndReplacesAnotherOne) {
+  const ScratchFolder scratch;
+  const fs::path folder = scratch.path() / "case";
+  write_foam_case(flow_scene(), folder, foam_template());
+  EXPECT_EQ(write_foam_case(flow_scene(), folder, foam_template()), FoamCaseState::unsolved);
+  write_file(folder / "solved", read_text_file(folder / "hash"));
+  write_file(folder / "164" / "U", "result");
+  write_file(folder / "log.simpleFoam", "log");
+  EXPECT_EQ(write_foam_case(flow_scene({"particles.diameter=50 um"}), folder, foam_template()),
+            FoamCaseState::solved);
+  EXPECT_TRUE(fs::exists(folder / "164" / "U"));
+  EXPECT_EQ(write_foam_case(flow_scene({"flow.mean_velocity=1 mm/s"}), folder, foam_template()),
+            FoamCaseState::written);
+  EXPECT_FALSE(fs::exists(folder / "164"));
+  EXPECT_FALSE(fs::exists(folder / "solved"));
+  EXPECT_FALSE(fs::exists(folder / "log.simpleFoam"));
+  EXPECT_TRUE(fs::exists(folder / "0.orig" / "U"));
+}
+
+TEST(FoamCaseWriter, OnlyKeysOfTheFlowChangeTheHash) {
+  const std::string hash = hash_of({});
+  for (const char* key : {"particles.diameter=50 um", "contact.youngs_modulus=1 GPa", "ensemble.seeds=1-9"}) {
+    EXPECT_EQ(hash_of({key}), hash) << key;
+  }
+  for (const char* key : {"geometry.neck_width=90 um", "geometry.neck_height=110 um",
+                          "geometry.channel_width=500 um", "geometry.channel_length=2 mm",
+                          "geometry.neck_length=150 um", "geometry.half_angle=45 deg",
+                          "flow.mean_velocity=4 mm/s", "fluid.viscosity=1e-3 Pa s",
+                          "fluid.density=1000 kg/m3", "flow.mesh_cells_per_neck=20"}) {
+    EXPECT_NE(hash_of({key}), hash) << key;
+  }
+}
+
+TEST(FoamCaseWriter, RefusesAFolderWithOtherThings) {
+  const ScratchFolder scratch;
+  write_file(scratch.path() / "thesis.tex", "precious");
+  EXPECT_THAT(refusal([&] { write_foam_case(flow_scene(), scratch.path(), foam_template()); }),
+              HasSubstr("is not empty and not a flow case"));
+  EXPECT_THAT(refusal([&] { write_foam_case(flow_scene(), scratch.path() / "thesis.tex", foam_template()); }),
+              HasSubstr("is a file (a case needs a folder)"));
+}
+
+TEST(FoamCaseWriter, RefusesScenesWithoutSuchAFlow) {
+  const ScratchFolder scratch;
+  const auto write = [&](const Overrides& overrides) {
+    return refusal([&] { write_foam_case(flow_scene(overrides), scratch.path() / "case", foam_template()); });
+  };
+  EXPECT_THAT(write({"flow.source=none"}), HasSubstr("flow.source is not \"openfoam\""));
+  EXPECT_THAT(write({"flow.grid_spacing=7 um"}), HasSubstr("it must divide geometry.neck_height"));
+  EXPECT_FALSE(fs::exists(scratch.path() / "case")) << "refused before anything is written";
+}
+
+// The arc at a corner leaves the wall at half the angle between the walls there: for 60 degrees its tangent is
+// turned by 30, and the axis point lies half_width tan(15 deg) before the corner.
+TEST(FlowMesh, ArcsHalveTheCorners) {
+  const FlowMesh mesh = flow_mesh(flow_scene());
+  EXPECT_NEAR(mesh.neck_edge.axis, -0.5e-4 * 0.26794919, 1e-12);
+  EXPECT_NEAR(mesh.wide_corner.wall, -0.8660254e-4, 1e-12);
+  EXPECT_NEAR(mesh.wide_corner.axis, mesh.wide_corner.wall - 2e-4 * 0.26794919, 1e-11);
+}
+
+TEST(FlowMesh, IsMadeForEveryShape) {
+  for (const char* angle : {"10 deg", "30 deg", "60 deg", "90 deg"}) {
+    for (const char* width : {"120 um", "400 um", "1 mm"}) {
+      const FlowMesh mesh = flow_mesh(flow_scene({std::string("geometry.half_angle=") + angle,
+                                                  std::string("geometry.channel_width=") + width}));
+      EXPECT_LT(mesh.inlet, mesh.wide_corner.axis);
+      EXPECT_LT(mesh.wide_corner.axis, mesh.neck_edge.axis);
+      for (const MeshBlock& block : {mesh.upstream, mesh.narrowing, mesh.entrance, mesh.neck}) {
+        EXPECT_GE(block.cells, 2) << angle << " " << width;
+        EXPECT_LE(block.cells, 400) << angle << " " << width;
+        EXPECT_TRUE(std::isfinite(block.wall_grading) && block.wall_grading > 0);
+      }
+    }
+  }
+}
+
+TEST(FlowMesh, GradedEdgesFollowTheRatio) {
+  EXPECT_DOUBLE_EQ(graded_edge(0, 8, 0.25), 0);
+  EXPECT_DOUBLE_EQ(graded_edge(8, 8, 0.25), 1);
+  const double first = graded_edge(1, 8, 0.25), last = 1 - graded_edge(7, 8, 0.25);
+  EXPECT_NEAR(last / first, 0.25, 1e-12);
+}
+
+TEST(FoamDictionaries, InletFacesCarryTheWholeFlux) {
+  const Scene scene = flow_scene();
+  const FlowMesh mesh = flow_mesh(scene);
+  std::string text = inlet_profile(scene, mesh);
+  for (char& c : text) {
+    if (c == '(' || c == ')') c = ' ';
+  }
+  std::istringstream in(text.substr(text.find('\n')));
+  double flux = 0;
+  for (int k = 0; k < mesh.cells_high; ++k) {
+    for (int j = 0; j < mesh.cells_across; ++j) {
+      double u = 0, v = 0, w = 0;
+      in >> u >> v >> w;
+      flux += u * (graded_edge(j + 1, mesh.cells_across, mesh_grading::inlet) -
+                   graded_edge(j, mesh.cells_across, mesh_grading::inlet)) *
+              (graded_edge(k + 1, mesh.cells_high, mesh_grading::height) -
+               graded_edge(k, mesh.cells_high, mesh_grading::height));
+    }
+  }
+  EXPECT_NEAR(flux / scene.flow.mean_velocity, 1, 1e-6);
+}
+
+TEST(FlowLattice, CoversTheChannelAndAvoidsTheWalls) {
+  const Scene scene = flow_scene();
+  const FlowLattice lattice = flow_lattice(scene, flow_mesh(scene).inlet);
+  EXPECT_EQ(lattice.height, 20);
+  EXPECT_EQ(lattice.half_width, 40);
+  EXPECT_LE(lattice.coordinate(lattice.x_begin), -10.8660254e-4);
+  EXPECT_GE(lattice.coordinate(lattice.x_end - 1), 1e-4);
+  EXPECT_GT(lattice.coordinate(lattice.x_sampled), flow_mesh(scene).inlet);
+  EXPECT_NEAR(lattice.coordinate(0), 2.5e-6, 1e-18);
+}
+
+}  // namespace
+}  // namespace clog
