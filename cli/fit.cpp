@@ -23,10 +23,13 @@ struct FitOptions {
 }  // namespace
 
 void add_fit(CLI::App& app) {
-  auto* verb = app.add_subcommand("fit", "Clauset-Shalizi-Newman power-law fit of a column of numbers");
+  auto* verb =
+      app.add_subcommand("fit", "Clauset-Shalizi-Newman power-law fit of a column of numbers");
   auto options = std::make_shared<FitOptions>();
-  verb->add_option("file", options->file, "plain text, one number a line, # starts a comment")->required();
-  auto* xmin = verb->add_option("--xmin", options->xmin, "fix the lower end instead of scanning for it");
+  verb->add_option("file", options->file, "plain text, one number a line, # starts a comment")
+      ->required();
+  auto* xmin =
+      verb->add_option("--xmin", options->xmin, "fix the lower end instead of scanning for it");
   auto* p_value = verb->add_option("--p-value", options->replicates,
                                    "goodness of fit from N bootstrap replicates (default 1000)")
                       ->expected(0, 1)
@@ -36,7 +39,8 @@ void add_fit(CLI::App& app) {
     postprocess::FitRequest request{.xmin = {}, .p_value = {}, .seed = options->seed};
     if (xmin->count() > 0) request.xmin = options->xmin;
     if (p_value->count() > 0) {
-      request.p_value = p_value->as<std::string>().empty() ? default_replicates : options->replicates;
+      request.p_value =
+          p_value->as<std::string>().empty() ? default_replicates : options->replicates;
     }
     const postprocess::SortedSample sample(postprocess::read_number_column(options->file));
     fmt::print("{}\n", fit_as_json(sample, request).dump(2));

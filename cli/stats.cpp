@@ -23,17 +23,20 @@ std::string with_interval(const nlohmann::json& group, const char* key) {
   const auto& q = group.at("quantities").at(key);
   if (q.at("value").is_null()) return "undefined";
   if (q.at("low").is_null()) return fmt::format("{:.4g}", q.at("value").get<double>());
-  return fmt::format("{:.4g} [{:.4g}, {:.4g}]", q.at("value").get<double>(), q.at("low").get<double>(),
-                     q.at("high").get<double>());
+  return fmt::format("{:.4g} [{:.4g}, {:.4g}]", q.at("value").get<double>(),
+                     q.at("low").get<double>(), q.at("high").get<double>());
 }
 
 void print_summary(const nlohmann::json& statistics) {
   for (const auto& group : statistics.at("groups")) {
     const bool by_release = group.at("protocol") == "release";
-    fmt::print("{}: {} seeds, {} bursts, <s> = {}, {} = {}, {} passages/s\n", group.at("label").get<std::string>(),
-               group.at("runs").size(), group.at("bursts").at("counted").get<std::size_t>(),
-               with_interval(group, "mean_burst"), by_release ? "releases without a passage" : "alpha(T_min)",
-               with_interval(group, by_release ? "share_failed" : "alpha_fixed"), with_interval(group, "flow_rate"));
+    fmt::print("{}: {} seeds, {} bursts, <s> = {}, {} = {}, {} passages/s\n",
+               group.at("label").get<std::string>(), group.at("runs").size(),
+               group.at("bursts").at("counted").get<std::size_t>(),
+               with_interval(group, "mean_burst"),
+               by_release ? "releases without a passage" : "alpha(T_min)",
+               with_interval(group, by_release ? "share_failed" : "alpha_fixed"),
+               with_interval(group, "flow_rate"));
   }
 }
 
@@ -43,12 +46,16 @@ void add_stats(CLI::App& app) {
   auto* verb = app.add_subcommand("stats", "bursts, arrests and fits from run files");
   auto job = std::make_shared<postprocess::StatisticsJob>();
   auto threshold = std::make_shared<std::string>();
-  verb->add_option("dirs", job->folders, "folders with run_*.h5; several scenes: a folder each")->required();
+  verb->add_option("dirs", job->folders, "folders with run_*.h5; several scenes: a folder each")
+      ->required();
   verb->add_option("--out", job->out, "folder for stats.json and the tables")->required();
-  verb->add_option("--threshold", *threshold, "shortest lapse that is a clog, such as '3.3 ms' (default tau/2)");
-  verb->add_option("--p-value", job->request.p_value_replicates, "bootstrap replicates of the goodness of fit, 0: none")
+  verb->add_option("--threshold", *threshold,
+                   "shortest lapse that is a clog, such as '3.3 ms' (default tau/2)");
+  verb->add_option("--p-value", job->request.p_value_replicates,
+                   "bootstrap replicates of the goodness of fit, 0: none")
       ->capture_default_str();
-  verb->add_option("--seed", job->request.resampling.seed, "of all bootstraps")->capture_default_str();
+  verb->add_option("--seed", job->request.resampling.seed, "of all bootstraps")
+      ->capture_default_str();
   verb->callback([job, threshold] {
     if (!threshold->empty()) job->threshold = threshold_seconds(*threshold);
     print_summary(postprocess::write_statistics(*job));

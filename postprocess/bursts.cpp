@@ -30,14 +30,18 @@ Burst burst_of(const std::vector<double>& times, double start) {
 
 const char* name(BurstKind kind) {
   switch (kind) {
-    case BurstKind::whole: return "whole";
-    case BurstKind::first: return "first";
-    case BurstKind::cut_off: return "cut off";
+    case BurstKind::whole:
+      return "whole";
+    case BurstKind::first:
+      return "first";
+    case BurstKind::cut_off:
+      return "cut off";
   }
   return "";
 }
 
-std::vector<Burst> bursts_between_clogs(const RunData& run, const Window& window, double threshold) {
+std::vector<Burst> bursts_between_clogs(const RunData& run, const Window& window,
+                                        double threshold) {
   std::vector<Burst> bursts;
   bool clogged = true;
   for (const Lapse& lapse : lapses_of(run, window)) {

@@ -19,9 +19,9 @@ enum class BurstKind {
 const char* name(BurstKind kind);
 
 struct Burst {
-  double start = 0;      ///< first passage; with releases, when friction came back [s]
-  double duration = 0;   ///< first to last passage [s]
-  std::size_t size = 0;  ///< s, passages with friction on; 0 is possible after a release only
+  double start = 0;           ///< first passage; with releases, when friction came back [s]
+  double duration = 0;        ///< first to last passage [s]
+  std::size_t size = 0;       ///< s, passages with friction on; 0 is possible after a release only
   std::size_t while_off = 0;  ///< passages while that release held friction off; not part of s
   BurstKind kind = BurstKind::whole;
 };
@@ -31,10 +31,10 @@ struct Burst {
 /// \param threshold T_min [s]
 std::vector<Burst> bursts_between_clogs(const RunData& run, const Window& window, double threshold);
 
-/// One burst a release, zeros included: what passes from the return of friction to the next release,
-/// preceded by the first burst, which no release began. The last one is whole if nothing passed for
-/// `rest` before the run ended.
-/// \param rest unclog.after: how long nothing must pass before a release [s]
+/// One burst a release, zeros included: what passes from the return of friction to the next
+/// release, preceded by the first burst, which no release began. The last one is whole if nothing
+/// passed for `rest` before the run ended. \param rest unclog.after: how long nothing must pass
+/// before a release [s]
 std::vector<Burst> bursts_after_releases(const RunData& run, const Window& window, double rest);
 
 }  // namespace clog::postprocess

@@ -10,7 +10,8 @@ namespace {
 
 /// Both laws are an exponential in a transformed duration u(x) >= 0: rate = complete / sum u.
 template <class Transform>
-CensoredFit exponential_rate(const std::vector<Observation>& sample, double xmin, const Transform& u) {
+CensoredFit exponential_rate(const std::vector<Observation>& sample, double xmin,
+                             const Transform& u) {
   require(std::isfinite(xmin) && xmin > 0, "xmin = {} (must be positive)", xmin);
   CensoredFit fit;
   double exposure = 0;
@@ -20,7 +21,8 @@ CensoredFit exponential_rate(const std::vector<Observation>& sample, double xmin
     ++(censored ? fit.censored : fit.complete);
   }
   require(fit.complete > 0 && exposure > 0,
-          "no whole value above xmin = {} ({} censored ones): the law has no rate", xmin, fit.censored);
+          "no whole value above xmin = {} ({} censored ones): the law has no rate", xmin,
+          fit.censored);
   fit.parameter = static_cast<double>(fit.complete) / exposure;
   fit.sigma = fit.parameter / std::sqrt(static_cast<double>(fit.complete));
   return fit;

@@ -20,12 +20,13 @@ struct CensoredFit {
 };
 
 /// Power-law exponent for a given x_min with censored values: a whole value enters with the density
-/// p(x) = (alpha-1)/x_min (x/x_min)^-alpha, a censored one with the survival function (x/x_min)^(1-alpha):
+/// p(x) = (alpha-1)/x_min (x/x_min)^-alpha, a censored one with the survival function
+/// (x/x_min)^(1-alpha):
 ///   alpha = 1 + n_complete / sum_i ln(x_i/x_min)   (the sum over whole and censored values)
 ///   sigma = (alpha - 1)/sqrt(n_complete)
-/// Values below x_min, censored or not, say nothing about the tail and are left out. Without censored
-/// values this is Eq. (3.1) of Clauset, Shalizi & Newman 2009.
-/// \throws Error when no whole value lies above xmin, or xmin <= 0
+/// Values below x_min, censored or not, say nothing about the tail and are left out. Without
+/// censored values this is Eq. (3.1) of Clauset, Shalizi & Newman 2009. \throws Error when no whole
+/// value lies above xmin, or xmin <= 0
 CensoredFit fit_power_law_censored(const std::vector<Observation>& sample, double xmin);
 
 /// Rate of an exponential that starts at x_min:

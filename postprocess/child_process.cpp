@@ -26,7 +26,8 @@ ChildResult run_program(const std::vector<std::string>& words) {
   for (const auto& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
   pid_t child = 0;
-  const int failure = posix_spawnp(&child, arguments.front(), &actions, nullptr, arguments.data(), environ);
+  const int failure =
+      posix_spawnp(&child, arguments.front(), &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   close(ends[1]);
   if (failure != 0) {
@@ -35,7 +36,8 @@ ChildResult run_program(const std::vector<std::string>& words) {
   }
   ChildResult result;
   char buffer[4096];
-  for (ssize_t n = 0; (n = read(ends[0], buffer, sizeof buffer)) > 0 || (n < 0 && errno == EINTR);) {
+  for (ssize_t n = 0;
+       (n = read(ends[0], buffer, sizeof buffer)) > 0 || (n < 0 && errno == EINTR);) {
     if (n > 0) result.output.append(buffer, static_cast<std::size_t>(n));
   }
   close(ends[0]);

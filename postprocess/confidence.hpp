@@ -11,7 +11,7 @@ namespace clog::postprocess {
 /// A value with the interval in which it lies with 95 % confidence.
 struct Estimate {
   double value = 0;
-  double low = 0, high = 0;   ///< percentile interval; NaN where it cannot be given
+  double low = 0, high = 0;  ///< percentile interval; NaN where it cannot be given
 };
 
 struct Resampling {
@@ -24,10 +24,10 @@ struct Resampling {
 /// May return NaN when that ensemble does not define it.
 using EnsembleStatistic = std::function<double(const std::vector<std::size_t>& seeds)>;
 
-/// Percentile bootstrap over seeds: `count` seeds are drawn with replacement. Replicates in which the
-/// statistic is undefined are left out; fewer than 2 seeds, or half the replicates undefined: no interval.
-/// With few seeds (< 10) such intervals are a little too narrow.
-/// \source Efron & Tibshirani, An Introduction to the Bootstrap, ch. 13
+/// Percentile bootstrap over seeds: `count` seeds are drawn with replacement. Replicates in which
+/// the statistic is undefined are left out; fewer than 2 seeds, or half the replicates undefined:
+/// no interval. With few seeds (< 10) such intervals are a little too narrow. \source Efron &
+/// Tibshirani, An Introduction to the Bootstrap, ch. 13
 Estimate bootstrap_over_seeds(std::size_t count, const EnsembleStatistic& statistic,
                               const Resampling& resampling);
 

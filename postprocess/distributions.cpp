@@ -8,7 +8,9 @@
 namespace clog::postprocess {
 namespace {
 
-constexpr double bins_per_mean_burst = 5.0;
+constexpr double most_bins_per_mean_burst = 5.0;
+constexpr double bursts_per_bin = 10.0;
+constexpr double growth = 1.25;
 constexpr double bins_per_decade = 8.0;
 
 void normalize(std::vector<Bin>& bins) {
@@ -25,16 +27,22 @@ void normalize(std::vector<Bin>& bins) {
 
 std::vector<Bin> burst_histogram(const std::vector<std::size_t>& sizes) {
   if (sizes.empty()) return {};
-  const double mean = static_cast<double>(std::accumulate(sizes.begin(), sizes.end(), std::size_t{0})) /
-                      static_cast<double>(sizes.size());
-  const auto width = static_cast<std::size_t>(std::max(1.0, std::round(mean / bins_per_mean_burst)));
-  const std::size_t largest = *std::max_element(sizes.begin(), sizes.end());
-  std::vector<Bin> bins((largest + width - 1) / width);
-  for (std::size_t k = 0; k < bins.size(); ++k) {
-    bins[k].from = static_cast<double>(k * width) + 0.5;
-    bins[k].to = static_cast<double>((k + 1) * width) + 0.5;
+  const auto n = static_cast<double>(sizes.size());
+  const double mean =
+      static_cast<double>(std::accumulate(sizes.begin(), sizes.end(), std::size_t{0})) / n;
+  const double largest = static_cast<double>(*std::max_element(sizes.begin(), sizes.end()));
+  double width = mean / std::clamp(n / bursts_per_bin, 1.0, most_bins_per_mean_burst);
+  std::vector<Bin> bins;
+  for (double edge = 0.5; edge < largest; width *= growth) {
+    const double next = edge + std::max(1.0, std::round(width));
+    bins.push_back({edge, next, 0, 0, 0});
+    edge = next;
   }
-  for (const std::size_t s : sizes) ++bins[(s - 1) / width].count;
+  for (const std::size_t s : sizes) {
+    const auto bin = std::find_if(bins.begin(), bins.end(),
+                                  [&](const Bin& b) { return static_cast<double>(s) < b.to; });
+    ++bin->count;
+  }
   normalize(bins);
   return bins;
 }

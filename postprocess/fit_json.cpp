@@ -34,15 +34,16 @@ nlohmann::json as_json(const RivalTest& test) {
 nlohmann::json fit_as_json(const SortedSample& sample, const FitRequest& request) {
   const PowerLawFit fit =
       request.xmin ? fit_power_law(sample, *request.xmin) : fit_power_law(sample);
-  nlohmann::json json{{"alpha", fit.alpha},
-                      {"xmin", fit.xmin},
-                      {"xmin_from", request.xmin ? "given" : "scan"},
-                      {"sigma", fit.sigma},
-                      {"n", fit.n},
-                      {"n_tail", fit.n_tail},
-                      {"ks", fit.ks},
-                      {"ties", rule_for_ties},
-                      {"exponential", as_json(power_law_against_exponential(tail_of(sample, fit.xmin), fit.xmin))}};
+  nlohmann::json json{
+      {"alpha", fit.alpha},
+      {"xmin", fit.xmin},
+      {"xmin_from", request.xmin ? "given" : "scan"},
+      {"sigma", fit.sigma},
+      {"n", fit.n},
+      {"n_tail", fit.n_tail},
+      {"ks", fit.ks},
+      {"ties", rule_for_ties},
+      {"exponential", as_json(power_law_against_exponential(tail_of(sample, fit.xmin), fit.xmin))}};
   if (fit.n_tail < rough_below) {
     json["warning"] = "fewer than 50 values in the tail: alpha is rough";
   }

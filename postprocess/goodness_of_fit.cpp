@@ -16,7 +16,8 @@ double power_law_variate(const PowerLawFit& fit, double uniform) {
   return fit.xmin * std::pow(1.0 - uniform, -1.0 / (fit.alpha - 1.0));
 }
 
-std::vector<double> replicate(const SortedSample& sample, const PowerLawFit& fit, RandomStream random) {
+std::vector<double> replicate(const SortedSample& sample, const PowerLawFit& fit,
+                              RandomStream random) {
   const std::size_t below = fit.n - fit.n_tail;
   std::vector<double> values(fit.n);
   for (double& x : values) {
@@ -29,14 +30,16 @@ std::vector<double> replicate(const SortedSample& sample, const PowerLawFit& fit
 bool is_as_far(const SortedSample& synthetic, const PowerLawFit& fit, LowerEnd lower_end) {
   if (lower_end == LowerEnd::scanned) return !some_tail_is_closer(synthetic, fit.ks);
   const std::size_t first = synthetic.lower_bound(fit.xmin);
-  // A tail of fewer than two values says nothing about the law; counting it as far keeps the test lenient.
+  // A tail of fewer than two values says nothing about the law; counting it as far keeps the test
+  // lenient.
   if (synthetic.size() - first < 2) return true;
   return KsDistance(synthetic).up_to(fit.ks, power_law_tail(synthetic, first, fit.xmin)) >= fit.ks;
 }
 
 }  // namespace
 
-double goodness_of_fit(const SortedSample& sample, const PowerLawFit& fit, const Bootstrap& bootstrap) {
+double goodness_of_fit(const SortedSample& sample, const PowerLawFit& fit,
+                       const Bootstrap& bootstrap) {
   require(bootstrap.replicates > 0, "0 bootstrap replicates (a p-value needs at least one)");
   const auto far = on_all_cores(bootstrap.replicates, [&](std::size_t k) -> char {
     const SortedSample synthetic(replicate(sample, fit, RandomStream(bootstrap.seed, k)));

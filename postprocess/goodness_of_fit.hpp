@@ -12,18 +12,20 @@ namespace clog::postprocess {
 enum class LowerEnd { scanned, fixed };  ///< whether x_min was found by the scan or given
 
 struct Bootstrap {
-  std::size_t replicates = 1000;  ///< p is known to about 1/(2 sqrt(replicates)) (Clauset et al., sec. 4.1)
+  std::size_t replicates =
+      1000;  ///< p is known to about 1/(2 sqrt(replicates)) (Clauset et al., sec. 4.1)
   std::uint64_t seed = 1;
   LowerEnd lower_end = LowerEnd::scanned;
 };
 
-/// Share of synthetic samples that lie further from their own best power law than the data from theirs.
-/// A replicate has n values, each from the fitted power law with probability n_tail/n, otherwise one of
-/// the data below x_min; it is fitted as the data were (x_min scanned, or fixed).
+/// Share of synthetic samples that lie further from their own best power law than the data from
+/// theirs. A replicate has n values, each from the fitted power law with probability n_tail/n,
+/// otherwise one of the data below x_min; it is fitted as the data were (x_min scanned, or fixed).
 /// Small p (Clauset et al. use 0.1): the power law is ruled out. Large p rules nothing in.
 /// \return p in [0, 1]
 /// \source Clauset, Shalizi & Newman 2009, SIAM Rev. 51:661, sec. 4.1
-double goodness_of_fit(const SortedSample& sample, const PowerLawFit& fit, const Bootstrap& bootstrap);
+double goodness_of_fit(const SortedSample& sample, const PowerLawFit& fit,
+                       const Bootstrap& bootstrap);
 
 /// Rounding noise in p from a finite number of replicates: sqrt(p (1 - p) / replicates).
 double p_value_error(double p_value, std::size_t replicates);

@@ -1,27 +1,12 @@
 // All numbers of one ensemble as JSON; keys are documented in postprocess/README.md.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <vector>
-
 #include <nlohmann/json.hpp>
 
-#include "postprocess/confidence.hpp"
+#include "postprocess/event_statistics.hpp"
 #include "postprocess/run_groups.hpp"
 
 namespace clog::postprocess {
-
-struct StatisticsRequest {
-  std::size_t p_value_replicates = 250;  ///< of the goodness of fit: p to 0.03; 0: not computed
-  Resampling resampling;                 ///< of the intervals
-};
-
-/// Sizes of the bursts that the mean counts: s >= 1, whole; the first of a run only without releases.
-std::vector<std::size_t> counted_burst_sizes(const RunGroup& group);
-
-/// Lapses that a passage ended [s].
-std::vector<double> whole_lapses(const RunGroup& group);
 
 nlohmann::json group_statistics(const RunGroup& group, const StatisticsRequest& request);
 

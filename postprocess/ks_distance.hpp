@@ -1,4 +1,5 @@
-// The Kolmogorov-Smirnov distance between a tail and its power law, exact but rarely over all points.
+// The Kolmogorov-Smirnov distance between a tail and its power law, exact but rarely over all
+// points.
 #pragma once
 
 #include <cstddef>
@@ -19,11 +20,11 @@ double ks_deviation(const SortedSample& sample, const PowerLawTail& tail, std::s
 
 /// Every point of the tail: the definition, O(n).
 ///   D = max_i |F(z_i) - i/n|,  z_0 <= z_1 <= ... <= z_(n-1) the tail
-/// **Rule for ties**: that of Clauset's own `plfit`: the empirical distribution climbs i/n from point to
-/// point through a run of equal values, so D sees the step from (almost) both sides. The python package
-/// `powerlaw` evaluates only the number of values below, once a distinct value, and may choose another
-/// x_min on data with many ties.
-/// \source Clauset, Shalizi & Newman 2009, SIAM Rev. 51:661, Eq. (3.9), and their plfit.m
+/// **Rule for ties**: that of Clauset's own `plfit`: the empirical distribution climbs i/n from
+/// point to point through a run of equal values, so D sees the step from (almost) both sides. The
+/// python package `powerlaw` evaluates only the number of values below, once a distinct value, and
+/// may choose another x_min on data with many ties. \source Clauset, Shalizi & Newman 2009, SIAM
+/// Rev. 51:661, Eq. (3.9), and their plfit.m
 double ks_distance_all_points(const SortedSample& sample, const PowerLawTail& tail);
 
 /// Answers "what is D, if it is at most a limit?" with few evaluations.
@@ -31,7 +32,8 @@ double ks_distance_all_points(const SortedSample& sample, const PowerLawTail& ta
 /// Both F and i/n only grow, so between two evaluated points i < j no deviation exceeds
 ///   max(F(z_j) - (i+1)/n, (j-1)/n - F(z_i));
 /// an interval whose bound is below the largest deviation seen is skipped. Exact: what is skipped
-/// cannot be the maximum. The place of the last maximum is tried first, as neighbouring tails share it.
+/// cannot be the maximum. The place of the last maximum is tried first, as neighbouring tails share
+/// it.
 class KsDistance {
 public:
   explicit KsDistance(const SortedSample& sample) : sample_(sample) {}

@@ -9,16 +9,20 @@ namespace clog::postprocess {
 
 const char* name(LapseEnd end) {
   switch (end) {
-    case LapseEnd::passage: return "passage";
-    case LapseEnd::release: return "release";
-    case LapseEnd::run: return "run";
+    case LapseEnd::passage:
+      return "passage";
+    case LapseEnd::release:
+      return "release";
+    case LapseEnd::run:
+      return "run";
   }
   return "";
 }
 
 std::vector<Lapse> lapses_of(const RunData& run, const Window& window) {
   const auto& time = run.passages.time;
-  require(std::is_sorted(time.begin(), time.end()), "seed {}: passages are not in order of time", run.seed);
+  require(std::is_sorted(time.begin(), time.end()), "seed {}: passages are not in order of time",
+          run.seed);
   std::vector<Lapse> lapses;
   for (std::size_t i = 0; i < time.size(); ++i) {
     if (run.passages.friction_off[i] || time[i] < window.start || time[i] >= window.end) continue;

@@ -29,10 +29,10 @@ struct Lapse {
   LapseEnd end = LapseEnd::passage;
 };
 
-/// Lapses that start in the window, in order of time. A lapse starts at a passage with friction on and
-/// ends at the first of: the next passage, a release, the end of the window. A passage while friction
-/// is off is the doing of the release: it starts no lapse.
-/// \throws Error when the passages are not in order of time
+/// Lapses that start in the window, in order of time. A lapse starts at a passage with friction on
+/// and ends at the first of: the next passage, a release, the end of the window. A passage while
+/// friction is off is the doing of the release: it starts no lapse. \throws Error when the passages
+/// are not in order of time
 std::vector<Lapse> lapses_of(const RunData& run, const Window& window);
 
 /// Lapses of at least the threshold: arrests. \param threshold T_min, tau/2 in the paper [s]

@@ -24,7 +24,8 @@ std::string_view without_comment_and_blanks(std::string_view line) {
 
 std::vector<double> read_number_column(const std::filesystem::path& file) {
   std::ifstream in(file);
-  require(in.is_open() && !std::filesystem::is_directory(file), "{}: cannot be read", file.string());
+  require(in.is_open() && !std::filesystem::is_directory(file), "{}: cannot be read",
+          file.string());
   std::vector<double> values;
   std::string line;
   for (std::size_t number = 1; std::getline(in, line); ++number) {

@@ -9,8 +9,8 @@
 
 namespace clog::postprocess {
 
-/// Results of work(0) ... work(count - 1), in that order. `work` must not share anything it changes,
-/// and must not throw.
+/// Results of work(0) ... work(count - 1), in that order. `work` must not share anything it
+/// changes, and must not throw.
 template <class Work>
 auto on_all_cores(std::size_t count, const Work& work) {
   std::vector<decltype(work(std::size_t{}))> results(count);

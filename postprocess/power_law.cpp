@@ -25,7 +25,9 @@ PowerLawTail tail_at(const SortedSample& sample, std::size_t first) {
 }
 
 /// Values that differ by rounding only leave no exponent; such a tail is no candidate.
-bool has_exponent(const PowerLawTail& tail) { return std::isfinite(tail.alpha) && tail.alpha > 1.0; }
+bool has_exponent(const PowerLawTail& tail) {
+  return std::isfinite(tail.alpha) && tail.alpha > 1.0;
+}
 
 PowerLawFit described(const SortedSample& sample, const PowerLawTail& tail, double xmin) {
   PowerLawFit fit;
@@ -53,18 +55,22 @@ std::string obstacle(const SortedSample& sample, std::optional<double> xmin) {
       return fmt::format("{} values (a fit needs at least {})", sample.size(), smallest_sample);
     }
     if (!has_exponent(tail_at(sample, 0))) {
-      return fmt::format("all {} values equal {} (no power law describes them)", sample.size(), largest);
+      return fmt::format("all {} values equal {} (no power law describes them)", sample.size(),
+                         largest);
     }
     return {};
   }
-  if (!std::isfinite(*xmin) || *xmin <= 0) return fmt::format("xmin = {} (must be positive)", *xmin);
+  if (!std::isfinite(*xmin) || *xmin <= 0)
+    return fmt::format("xmin = {} (must be positive)", *xmin);
   const std::size_t first = sample.lower_bound(*xmin);
   if (sample.size() - first < 2) {
-    return fmt::format("xmin = {} leaves {} of {} values (a power law needs two or more); the largest is {}",
-                       *xmin, sample.size() - first, sample.size(), largest);
+    return fmt::format(
+        "xmin = {} leaves {} of {} values (a power law needs two or more); the largest is {}",
+        *xmin, sample.size() - first, sample.size(), largest);
   }
   if (!has_exponent(power_law_tail(sample, first, *xmin))) {
-    return fmt::format("all values from xmin = {} on equal it (no power law describes them)", *xmin);
+    return fmt::format("all values from xmin = {} on equal it (no power law describes them)",
+                       *xmin);
   }
   return {};
 }
@@ -99,7 +105,8 @@ bool some_tail_is_closer(const SortedSample& sample, double limit) {
   KsDistance distance(sample);
   // A stride through all candidates meets a close one early, wherever it is. With a stride that is
   // coprime to the number of candidates each is visited once.
-  std::size_t stride = static_cast<std::size_t>(static_cast<double>(candidates) / std::numbers::phi);
+  std::size_t stride =
+      static_cast<std::size_t>(static_cast<double>(candidates) / std::numbers::phi);
   if (stride == 0) stride = 1;
   while (std::gcd(stride, candidates) != 1) ++stride;
   for (std::size_t k = 0, at = 0; k < candidates; ++k, at = (at + stride) % candidates) {

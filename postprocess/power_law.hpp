@@ -1,4 +1,5 @@
-// Maximum-likelihood fit of a continuous power law, x_min given or found (Clauset, Shalizi & Newman).
+// Maximum-likelihood fit of a continuous power law, x_min given or found (Clauset, Shalizi &
+// Newman).
 #pragma once
 
 #include <cstddef>
@@ -11,28 +12,31 @@
 namespace clog::postprocess {
 
 struct PowerLawFit {
-  double alpha = 0;       ///< exponent of the density p(x) ~ x^-alpha [-]
-  double xmin = 0;        ///< lower end of the power law [unit of the data]
-  double sigma = 0;       ///< standard error of alpha [-]
-  double ks = 0;          ///< Kolmogorov-Smirnov distance of the tail [-]
-  std::size_t n_tail = 0; ///< values >= xmin
-  std::size_t n = 0;      ///< all values
+  double alpha = 0;        ///< exponent of the density p(x) ~ x^-alpha [-]
+  double xmin = 0;         ///< lower end of the power law [unit of the data]
+  double sigma = 0;        ///< standard error of alpha [-]
+  double ks = 0;           ///< Kolmogorov-Smirnov distance of the tail [-]
+  std::size_t n_tail = 0;  ///< values >= xmin
+  std::size_t n = 0;       ///< all values
 };
 
-/// Fewest values that are fitted at all; below 50 in the tail a fit is rough (Clauset et al., sec. 3.3).
+/// Fewest values that are fitted at all; below 50 in the tail a fit is rough (Clauset et al.,
+/// sec. 3.3).
 inline constexpr std::size_t smallest_sample = 5;
 inline constexpr std::size_t rough_below = 50;
 
 /// In words what is done with equal values; goes into every output.
 inline constexpr const char* rule_for_ties =
-    "as Clauset's plfit: the empirical distribution climbs i/n (i = 0 ... n_tail - 1) through equal values";
+    "as Clauset's plfit: the empirical distribution climbs i/n (i = 0 ... n_tail - 1) through "
+    "equal values";
 
 /// Exponent of the tail that starts at index `first`.
 ///   alpha = 1 + n [sum_i ln(x_i / x_min)]^-1
 /// \source Clauset, Shalizi & Newman 2009, SIAM Rev. 51:661, Eq. (3.1)
 PowerLawTail power_law_tail(const SortedSample& sample, std::size_t first, double xmin);
 
-/// Why this sample has no fit (with this x_min, if given), or nothing: for callers that go on without.
+/// Why this sample has no fit (with this x_min, if given), or nothing: for callers that go on
+/// without.
 std::string obstacle(const SortedSample& sample, std::optional<double> xmin);
 
 /// Fit of the values >= xmin.   sigma = (alpha - 1)/sqrt(n), Eq. (3.2)
@@ -45,8 +49,8 @@ PowerLawFit fit_power_law(const SortedSample& sample, double xmin);
 /// \source Clauset et al. 2009, sec. 3.3
 PowerLawFit fit_power_law(const SortedSample& sample);
 
-/// Whether any x_min gives a distance below the limit: the question of the goodness-of-fit test, which
-/// stops at the first such x_min.
+/// Whether any x_min gives a distance below the limit: the question of the goodness-of-fit test,
+/// which stops at the first such x_min.
 bool some_tail_is_closer(const SortedSample& sample, double limit);
 
 }  // namespace clog::postprocess

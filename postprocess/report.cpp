@@ -29,7 +29,8 @@ std::string last_line(const std::string& text) {
 void require_modules(const std::string& python) {
   const ChildResult check = run_program({python, "-c", "import numpy, h5py, matplotlib"});
   require(check.status == 0,
-          "{}: {} (figures need it): apt-get install python3-matplotlib python3-h5py, or set CLOG_PYTHON to an "
+          "{}: {} (figures need it): apt-get install python3-matplotlib python3-h5py, or set "
+          "CLOG_PYTHON to an "
           "interpreter that has them",
           python, last_line(check.output));
 }
@@ -40,10 +41,11 @@ std::vector<fs::path> make_report(const fs::path& statistics, const fs::path& ou
   const std::string python = environment("CLOG_PYTHON", "/usr/bin/python3");
   const fs::path scripts = environment("CLOG_FIGURES", CLOG_SOURCE_DIR "/postprocess/figures");
   const fs::path script = scripts / "make_report.py";
-  require(fs::exists(script), "{}: not found (set CLOG_FIGURES to the folder of the figure scripts)",
-          script.string());
+  require(fs::exists(script),
+          "{}: not found (set CLOG_FIGURES to the folder of the figure scripts)", script.string());
   require_modules(python);
-  const ChildResult made = run_program({python, "-B", script.string(), statistics.string(), out.string()});
+  const ChildResult made =
+      run_program({python, "-B", script.string(), statistics.string(), out.string()});
   require(made.status == 0, "{} failed: {}", script.string(), last_line(made.output));
   std::vector<fs::path> files;
   std::istringstream in(made.output);

@@ -7,11 +7,12 @@
 namespace clog::postprocess {
 
 /// Makes the figures (PNG and SVG) and report.html in `out` from statistics that already exist.
-/// The interpreter is /usr/bin/python3, where Debian's matplotlib is, unless CLOG_PYTHON names another;
-/// the scripts are those of the source tree unless CLOG_FIGURES names another folder.
+/// The interpreter is /usr/bin/python3, where Debian's matplotlib is, unless CLOG_PYTHON names
+/// another; the scripts are those of the source tree unless CLOG_FIGURES names another folder.
 /// \param statistics folder with stats.json and the tables
 /// \return the files made
-/// \throws Error when python, a module or a script is missing, or the scripts fail (their last line)
+/// \throws Error when python, a module or a script is missing, or the scripts fail (their last
+/// line)
 std::vector<std::filesystem::path> make_report(const std::filesystem::path& statistics,
                                                const std::filesystem::path& out);
 

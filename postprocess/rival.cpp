@@ -21,7 +21,8 @@ RivalTest power_law_against_exponential(const std::vector<Observation>& sample, 
   }
   const auto n = static_cast<double>(difference.size());
   double variance = 0;
-  for (const double d : difference) variance += (d - test.log_ratio / n) * (d - test.log_ratio / n) / n;
+  for (const double d : difference)
+    variance += (d - test.log_ratio / n) * (d - test.log_ratio / n) / n;
   // Equal likelihoods point by point (one value): nothing distinguishes the laws, p stays 1.
   if (variance > 0) {
     test.normalized = test.log_ratio / std::sqrt(n * variance);

@@ -20,7 +20,8 @@ struct RivalTest {
 ///   R = sum_i [l1_i - l2_i],  sigma^2 = 1/n sum_i [(l1_i - l2_i) - R/n]^2,
 ///   p = erfc(|R| / (sqrt(2 n) sigma))
 /// \throws Error when no whole value lies above xmin
-/// \source Clauset, Shalizi & Newman 2009, SIAM Rev. 51:661, appendix C; Vuong 1989, Econometrica 57:307
+/// \source Clauset, Shalizi & Newman 2009, SIAM Rev. 51:661, appendix C; Vuong 1989, Econometrica
+/// 57:307
 RivalTest power_law_against_exponential(const std::vector<Observation>& sample, double xmin);
 
 }  // namespace clog::postprocess

@@ -25,7 +25,8 @@ std::vector<fs::path> run_files_right_in(const fs::path& folder) {
 
 ClogScale clog_scale(const Scene& scene, std::optional<double> threshold, const fs::path& file) {
   const double tau = scene.stokes_time();
-  require(tau > 0 || threshold, "{}: its scene has no flow, hence no Stokes time d/v to define a clog: give --threshold",
+  require(tau > 0 || threshold,
+          "{}: its scene has no flow, hence no Stokes time d/v to define a clog: give --threshold",
           file.string());
   const double t_min = threshold.value_or(0.5 * tau);
   return {tau > 0 ? tau : 2.0 * t_min, t_min};
@@ -44,16 +45,17 @@ void require_same_scene(const SceneLines& lines, const fs::path& file, const Kno
     const auto found = of.find(keys.front());
     return found == of.end() ? std::string("nothing") : found->second;
   };
-  throw Error(fmt::format("{}: another scene than {} in the same folder ({} = {} against {}): runs of different "
-                          "scenes do not mix; a sweep has a folder for each scene",
-                          file.string(), known.file.filename().string(), keys.front(), value(lines),
-                          value(known.lines)));
+  throw Error(fmt::format(
+      "{}: another scene than {} in the same folder ({} = {} against {}): runs of different "
+      "scenes do not mix; a sweep has a folder for each scene",
+      file.string(), known.file.filename().string(), keys.front(), value(lines),
+      value(known.lines)));
 }
 
 void require_new_seed(const RunGroup& group, const RunData& run, const fs::path& file) {
   for (const SeedRecord& record : group.records) {
-    require(record.seed != run.seed, "{}: seed {} of this scene was already read from {}", file.string(),
-            run.seed, record.file.string());
+    require(record.seed != run.seed, "{}: seed {} of this scene was already read from {}",
+            file.string(), run.seed, record.file.string());
   }
 }
 
@@ -65,7 +67,8 @@ public:
     RunData run = read_run_file(file);
     run.snapshots.clear();
     const SceneLines lines = scene_lines(run.scene_text);
-    const auto known = folders_.try_emplace(fs::canonical(fs::absolute(file).parent_path()), Known{lines, file});
+    const auto known =
+        folders_.try_emplace(fs::canonical(fs::absolute(file).parent_path()), Known{lines, file});
     require_same_scene(lines, file, known.first->second);
     RunGroup& group = group_of(run, lines, file);
     require_new_seed(group, run, file);
@@ -107,11 +110,13 @@ std::vector<fs::path> find_run_files(const fs::path& folder) {
     }
     std::sort(files.begin(), files.end());
   }
-  require(!files.empty(), "{}: no run_*.h5 here or one folder below (`clog run` writes them)", folder.string());
+  require(!files.empty(), "{}: no run_*.h5 here or one folder below (`clog run` writes them)",
+          folder.string());
   return files;
 }
 
-std::vector<RunGroup> gather(const std::vector<fs::path>& folders, std::optional<double> threshold) {
+std::vector<RunGroup> gather(const std::vector<fs::path>& folders,
+                             std::optional<double> threshold) {
   Gatherer gatherer(threshold);
   std::set<fs::path> seen;
   for (const auto& folder : folders) {

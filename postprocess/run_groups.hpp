@@ -15,21 +15,21 @@ namespace clog::postprocess {
 
 struct RunGroup {
   Scene scene;
-  std::string scene_text;      ///< effective scene of its first run
+  std::string scene_text;  ///< effective scene of its first run
   SceneLines lines;
   ClogScale scale;
   std::vector<SeedRecord> records;  ///< in order of seed
-  nlohmann::json provenance;   ///< of its first run
+  nlohmann::json provenance;        ///< of its first run
 };
 
 /// run_*.h5 in a folder, or, if it has none, in the folders right below it; in order of name.
 /// \throws Error when there is none
 std::vector<std::filesystem::path> find_run_files(const std::filesystem::path& folder);
 
-/// Reads all runs. A folder holds one scene; several folders with different scenes are a sweep, and runs
-/// of one scene in several folders are one group.
-/// \param threshold T_min [s]; absent: tau/2
-/// \throws Error on a run file that is missing or damaged, two scenes in one folder, one seed twice, or
+/// Reads all runs. A folder holds one scene; several folders with different scenes are a sweep, and
+/// runs of one scene in several folders are one group. \param threshold T_min [s]; absent: tau/2
+/// \throws Error on a run file that is missing or damaged, two scenes in one folder, one seed
+/// twice, or
 ///         a scene without a Stokes time when no threshold is given
 std::vector<RunGroup> gather(const std::vector<std::filesystem::path>& folders,
                              std::optional<double> threshold);

@@ -21,7 +21,8 @@ SteadyState steady_state(const RunData& run, const Window& window) {
     steady.packing_fraction += series.packing_fraction[i];
     if (series.porosity.empty()) continue;
     steady.porosity.resize(series.porosity[i].size());
-    for (std::size_t k = 0; k < steady.porosity.size(); ++k) steady.porosity[k] += series.porosity[i][k];
+    for (std::size_t k = 0; k < steady.porosity.size(); ++k)
+      steady.porosity[k] += series.porosity[i][k];
   }
   const double share = steady.samples > 0 ? 1.0 / static_cast<double>(steady.samples)
                                           : std::numeric_limits<double>::quiet_NaN();
@@ -37,7 +38,8 @@ double end_of_filling(const RunData& run, const Scene& scene) {
   const auto& time = run.series.time;
   const auto& count = run.series.count;
   if (!scene.inlet.enabled || scene.inlet.start == InletStart::filled || time.empty()) return 0;
-  std::vector<std::int64_t> late(count.begin() + static_cast<std::ptrdiff_t>(count.size() / 2), count.end());
+  std::vector<std::int64_t> late(count.begin() + static_cast<std::ptrdiff_t>(count.size() / 2),
+                                 count.end());
   const auto middle = late.begin() + static_cast<std::ptrdiff_t>(late.size() / 2);
   std::nth_element(late.begin(), middle, late.end());
   const double full = full_share * static_cast<double>(*middle);

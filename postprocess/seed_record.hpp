@@ -20,10 +20,10 @@ struct ClogScale {
 
 /// Means over the second half of the window: the packed state.
 struct SteadyState {
-  double particles = 0;         ///< in the domain [-]
-  double packing_fraction = 0;  ///< of the channel upstream [-]
-  std::vector<double> porosity; ///< one a strip, in the direction of flow [-]
-  std::size_t samples = 0;      ///< rows of the series it rests on; 0: the rest is NaN
+  double particles = 0;          ///< in the domain [-]
+  double packing_fraction = 0;   ///< of the channel upstream [-]
+  std::vector<double> porosity;  ///< one a strip, in the direction of flow [-]
+  std::size_t samples = 0;       ///< rows of the series it rests on; 0: the rest is NaN
 };
 
 struct SeedRecord {
@@ -31,19 +31,20 @@ struct SeedRecord {
   std::filesystem::path file;
   Window window;
   UnclogProtocol protocol = UnclogProtocol::none;
-  std::size_t passages = 0;    ///< in the window, those while friction was off included
-  std::size_t while_off = 0;   ///< passages while friction was off
+  std::size_t passages = 0;   ///< in the window, those while friction was off included
+  std::size_t while_off = 0;  ///< passages while friction was off
   std::size_t releases = 0;
   std::vector<Lapse> lapses;
-  std::vector<Burst> bursts;   ///< as the scene's unclog.protocol defines them
+  std::vector<Burst> bursts;  ///< as the scene's unclog.protocol defines them
   SteadyState steady;
-  double filling_time = 0;     ///< measured (start = "empty") or as the solver says (start = "filled") [s]
+  double filling_time =
+      0;  ///< measured (start = "empty") or as the solver says (start = "filled") [s]
 };
 
 SeedRecord record_of(const RunData& run, const Scene& scene, const ClogScale& scale);
 
-/// When the channel is full: 0 for start = "filled"; for start = "empty" the first time at which the
-/// number of particles reaches 95 % of its median over the second half of the run.
+/// When the channel is full: 0 for start = "filled"; for start = "empty" the first time at which
+/// the number of particles reaches 95 % of its median over the second half of the run.
 double end_of_filling(const RunData& run, const Scene& scene);
 
 }  // namespace clog::postprocess

@@ -6,8 +6,8 @@
 
 namespace clog::postprocess {
 
-/// Positive values in ascending order with their logarithms and the sums over each tail, so that the
-/// exponent of any tail costs O(1).
+/// Positive values in ascending order with their logarithms and the sums over each tail, so that
+/// the exponent of any tail costs O(1).
 class SortedSample {
 public:
   /// \throws Error on a value that is not positive and finite, or on an empty sample

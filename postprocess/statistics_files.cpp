@@ -11,11 +11,12 @@ namespace {
 constexpr int statistics_version = 1;
 
 /// Of every key that is not a pure number, wherever it stands.
-const nlohmann::json units{{"tau", "s"},          {"t_min", "s"},        {"longest", "s"},      {"xmin", "s"},
-                           {"rate", "1/s"},       {"start", "s"},        {"end", "s"},          {"filling_time", "s"},
-                           {"neck_width", "m"},   {"neck_height", "m"},  {"channel_width", "m"}, {"channel_length", "m"},
-                           {"neck_length", "m"},  {"half_angle", "rad"}, {"passage_plane", "m"}, {"diameter", "m"},
-                           {"mean_velocity", "m/s"}};
+const nlohmann::json units{{"tau", "s"},         {"t_min", "s"},          {"longest", "s"},
+                           {"xmin", "s"},        {"rate", "1/s"},         {"start", "s"},
+                           {"end", "s"},         {"filling_time", "s"},   {"neck_width", "m"},
+                           {"neck_height", "m"}, {"channel_width", "m"},  {"channel_length", "m"},
+                           {"neck_length", "m"}, {"half_angle", "rad"},   {"passage_plane", "m"},
+                           {"diameter", "m"},    {"mean_velocity", "m/s"}};
 
 /// "D/d = 3.03", and what else varies in a sweep.
 std::string label_of(const RunGroup& group, const std::vector<std::string>& swept) {
@@ -24,10 +25,14 @@ std::string label_of(const RunGroup& group, const std::vector<std::string>& swep
   if (neck > 0) label = fmt::format("D/d = {:.3g}", neck / group.scene.particles.diameter);
   for (const auto& key : swept) {
     const auto found = group.lines.find(key);
-    const bool follows_from_diameter = key == "particles.roughness" || key == "lubrication.cutoff" ||
+    const bool follows_from_diameter = key == "particles.roughness" ||
+                                       key == "lubrication.cutoff" ||
                                        key == "porosity.update_interval" || key == "unclog.after";
-    if (found == group.lines.end() || (neck > 0 && key == "particles.diameter") || follows_from_diameter) continue;
-    label += fmt::format("{}{} = {}", label.empty() ? "" : ", ", key.substr(key.find('.') + 1), found->second);
+    if (found == group.lines.end() || (neck > 0 && key == "particles.diameter") ||
+        follows_from_diameter)
+      continue;
+    label += fmt::format("{}{} = {}", label.empty() ? "" : ", ", key.substr(key.find('.') + 1),
+                         found->second);
   }
   return label.empty() ? "all runs" : label;
 }

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "postprocess/distributions.hpp"
-#include "postprocess/group_statistics.hpp"
+#include "postprocess/event_statistics.hpp"
 #include "postprocess/survival.hpp"
 
 namespace clog::postprocess {
@@ -45,8 +45,9 @@ void add_bursts(Out out, const RunGroup& group, std::size_t index) {
 void add_burst_distribution(Out out, const RunGroup& group, std::size_t index) {
   const auto sizes = counted_burst_sizes(group);
   if (sizes.empty()) return;
-  const double mean = static_cast<double>(std::accumulate(sizes.begin(), sizes.end(), std::size_t{0})) /
-                      static_cast<double>(sizes.size());
+  const double mean =
+      static_cast<double>(std::accumulate(sizes.begin(), sizes.end(), std::size_t{0})) /
+      static_cast<double>(sizes.size());
   for (const Bin& bin : burst_histogram(sizes)) {
     const double centre = 0.5 * (bin.from + bin.to);
     fmt::format_to(out, "{},{},{},{},{},{},{}\n", index, bin.from, bin.to, centre / mean, bin.count,
@@ -66,16 +67,18 @@ void add_lapse_distribution(Out out, const RunGroup& group, std::size_t index) {
 void add_survival(Out out, const RunGroup& group, std::size_t index, double shortest) {
   std::vector<Observation> sample;
   for (const SeedRecord& record : group.records) {
-    for (const Lapse& lapse : arrests_of(record.lapses, shortest)) sample.push_back(as_observation(lapse));
+    for (const Lapse& lapse : arrests_of(record.lapses, shortest))
+      sample.push_back(as_observation(lapse));
   }
   for (const SurvivalStep& step : kaplan_meier(std::move(sample))) {
-    fmt::format_to(out, "{},{},{},{},{},{},{}\n", index, step.time, step.time / group.scale.tau, step.survival,
-                   step.error, step.at_risk, step.ended);
+    fmt::format_to(out, "{},{},{},{},{},{},{}\n", index, step.time, step.time / group.scale.tau,
+                   step.survival, step.error, step.at_risk, step.ended);
   }
 }
 
 template <class Add>
-Table table(const char* file, const char* header, const std::vector<RunGroup>& groups, const Add& add) {
+Table table(const char* file, const char* header, const std::vector<RunGroup>& groups,
+            const Add& add) {
   Table table{file, fmt::format("{}\n", header)};
   for (std::size_t i = 0; i < groups.size(); ++i) add(std::back_inserter(table.text), groups[i], i);
   return table;
@@ -87,16 +90,21 @@ std::vector<Table> tables_of(const std::vector<RunGroup>& groups) {
   constexpr const char* survival = "group,T [s],T/tau [1],S [1],error [1],at_risk,ended";
   return {
       table("lapses.csv", "group,seed,start [s],T [s],T/tau [1],ended_by", groups, add_lapses),
-      table("arrests.csv", "group,seed,start [s],T [s],T/tau [1],ended_by,censored", groups, add_arrests),
-      table("bursts.csv", "group,seed,start [s],duration [s],s [1],while_off [1],kind", groups, add_bursts),
-      table("burst_distribution.csv", "group,s_from [1],s_to [1],s/<s> [1],count,P [1],error [1]", groups,
-            add_burst_distribution),
-      table("lapse_distribution.csv", "group,T/tau_from [1],T/tau_to [1],count,P [1],error [1]", groups,
-            add_lapse_distribution),
-      table("lapse_survival.csv", survival, groups,
-            [](Out out, const RunGroup& group, std::size_t i) { add_survival(out, group, i, 0.0); }),
+      table("arrests.csv", "group,seed,start [s],T [s],T/tau [1],ended_by,censored", groups,
+            add_arrests),
+      table("bursts.csv", "group,seed,start [s],duration [s],s [1],while_off [1],kind", groups,
+            add_bursts),
+      table("burst_distribution.csv", "group,s_from [1],s_to [1],s/<s> [1],count,P [1],error [1]",
+            groups, add_burst_distribution),
+      table("lapse_distribution.csv", "group,T/tau_from [1],T/tau_to [1],count,P [1],error [1]",
+            groups, add_lapse_distribution),
+      table(
+          "lapse_survival.csv", survival, groups,
+          [](Out out, const RunGroup& group, std::size_t i) { add_survival(out, group, i, 0.0); }),
       table("arrest_survival.csv", survival, groups,
-            [](Out out, const RunGroup& group, std::size_t i) { add_survival(out, group, i, group.scale.threshold); }),
+            [](Out out, const RunGroup& group, std::size_t i) {
+              add_survival(out, group, i, group.scale.threshold);
+            }),
   };
 }
 

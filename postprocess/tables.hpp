@@ -14,7 +14,8 @@ struct Table {
   std::string text;
 };
 
-/// lapses, bursts, arrests, burst_distribution, lapse_distribution, lapse_survival, arrest_survival.
+/// lapses, bursts, arrests, burst_distribution, lapse_distribution, lapse_survival,
+/// arrest_survival.
 std::vector<Table> tables_of(const std::vector<RunGroup>& groups);
 
 }  // namespace clog::postprocess

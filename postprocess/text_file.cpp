@@ -15,7 +15,8 @@ void write_text_file(const std::string& text, const std::filesystem::path& file)
   require(!out.fail(), "{}: cannot be written", beside.string());
   std::error_code status;
   std::filesystem::rename(beside, file, status);
-  require(!status, "{}: cannot be renamed from {} ({})", file.string(), beside.string(), status.message());
+  require(!status, "{}: cannot be renamed from {} ({})", file.string(), beside.string(),
+          status.message());
 }
 
 }  // namespace clog::postprocess

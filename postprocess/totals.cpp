@@ -6,7 +6,8 @@
 namespace clog::postprocess {
 namespace {
 
-void add_lapses(Totals& totals, const SeedRecord& record, const ClogScale& scale, const Window& span) {
+void add_lapses(Totals& totals, const SeedRecord& record, const ClogScale& scale,
+                const Window& span) {
   for (const Lapse& lapse : record.lapses) {
     if (lapse.start < span.start || lapse.start >= span.end) continue;
     ++totals.passages;
@@ -50,10 +51,10 @@ bool is_permanently_clogged(const SeedRecord& record, const ClogScale& scale) {
 }
 
 constexpr double Totals::*members[] = {
-    &Totals::seeds,          &Totals::time,         &Totals::passages,  &Totals::flowing_lapses,
-    &Totals::flowing_time,   &Totals::clogged_time, &Totals::bursts,    &Totals::escaped,
-    &Totals::cut_off_escaped, &Totals::releases,    &Totals::failed,    &Totals::while_off,
-    &Totals::arrests,        &Totals::censored,     &Totals::log_exposure, &Totals::permanent};
+    &Totals::seeds,           &Totals::time,         &Totals::passages,     &Totals::flowing_lapses,
+    &Totals::flowing_time,    &Totals::clogged_time, &Totals::bursts,       &Totals::escaped,
+    &Totals::cut_off_escaped, &Totals::releases,     &Totals::failed,       &Totals::while_off,
+    &Totals::arrests,         &Totals::censored,     &Totals::log_exposure, &Totals::permanent};
 static_assert(sizeof(members) / sizeof(*members) * sizeof(double) == sizeof(Totals));
 
 }  // namespace
@@ -80,7 +81,8 @@ const std::vector<Quantity>& quantities() {
        [](const Totals& t) { return t.escaped / t.bursts; }},
       {"mean_burst_with_zeros", "1", "<s> when a release that nothing follows counts as s = 0",
        [](const Totals& t) { return t.escaped / (t.bursts + t.failed); }},
-      {"mean_burst_censored", "1", "<s> by maximum likelihood, bursts that the end cut off included",
+      {"mean_burst_censored", "1",
+       "<s> by maximum likelihood, bursts that the end cut off included",
        [](const Totals& t) { return (t.escaped + t.cut_off_escaped) / t.bursts; }},
       {"share_failed", "1", "share of the releases that no passage follows",
        [](const Totals& t) { return t.failed / t.releases; }},
@@ -102,7 +104,8 @@ const std::vector<Quantity>& quantities() {
   return all;
 }
 
-Estimate estimate(const Quantity& quantity, const std::vector<Totals>& seeds, const Resampling& resampling) {
+Estimate estimate(const Quantity& quantity, const std::vector<Totals>& seeds,
+                  const Resampling& resampling) {
   return bootstrap_over_seeds(
       seeds.size(),
       [&](const std::vector<std::size_t>& drawn) {

@@ -10,17 +10,17 @@
 
 namespace clog::postprocess {
 
-/// What a seed contributes within a span of its time. Bursts, lapses and arrests belong to the span in
-/// which they start, so that two halves add up to the whole.
+/// What a seed contributes within a span of its time. Bursts, lapses and arrests belong to the span
+/// in which they start, so that two halves add up to the whole.
 struct Totals {
   double seeds = 0;
-  double time = 0;             ///< [s]
-  double passages = 0;         ///< with friction on
-  double flowing_lapses = 0;   ///< whole lapses below T_min
-  double flowing_time = 0;     ///< their sum [s]
-  double clogged_time = 0;     ///< sum of the arrests, those cut by a release or the end included [s]
-  double bursts = 0;           ///< counted ones with s >= 1
-  double escaped = 0;          ///< sum of their s
+  double time = 0;            ///< [s]
+  double passages = 0;        ///< with friction on
+  double flowing_lapses = 0;  ///< whole lapses below T_min
+  double flowing_time = 0;    ///< their sum [s]
+  double clogged_time = 0;  ///< sum of the arrests, those cut by a release or the end included [s]
+  double bursts = 0;        ///< counted ones with s >= 1
+  double escaped = 0;       ///< sum of their s
   double cut_off_escaped = 0;  ///< sum of s over bursts that the end of the run cut off
   double releases = 0;         ///< whose burst is whole
   double failed = 0;           ///< of them, those followed by no passage
@@ -31,8 +31,8 @@ struct Totals {
   double permanent = 0;        ///< seeds whose last arrest outlives the run, see permanent_after
 };
 
-/// A run whose last arrest has lasted this many Stokes times counts as permanently clogged: the rest
-/// criterion of the release protocol (`unclog.after`, default 5 tau).
+/// A run whose last arrest has lasted this many Stokes times counts as permanently clogged: the
+/// rest criterion of the release protocol (`unclog.after`, default 5 tau).
 inline constexpr double permanent_after = 5.0;
 
 /// \param span part of the record's window [s]
@@ -52,9 +52,11 @@ struct Quantity {
 const std::vector<Quantity>& quantities();
 
 /// Value of a quantity over an ensemble with its interval from resampled seeds.
-Estimate estimate(const Quantity& quantity, const std::vector<Totals>& seeds, const Resampling& resampling);
+Estimate estimate(const Quantity& quantity, const std::vector<Totals>& seeds,
+                  const Resampling& resampling);
 
-/// Second half minus first half, seeds resampled in pairs: a quantity whose interval excludes 0 ages.
+/// Second half minus first half, seeds resampled in pairs: a quantity whose interval excludes 0
+/// ages.
 Estimate estimate_change(const Quantity& quantity, const std::vector<std::array<Totals, 2>>& halves,
                          const Resampling& resampling);
 

@@ -9,7 +9,7 @@ from stats_files import neck_ratio, value
 
 def draw_distribution(axes, statistics):
     colours = style.group_colours(len(statistics.groups))
-    largest, smallest, empty = 4.0, 0.05, True
+    largest, smallest, top, empty = 4.0, 0.05, 1.0, True
     for index, group in enumerate(statistics.groups):
         rows = [row for row in statistics.rows("burst_distribution", index) if row["count"] > 0]
         if not rows:
@@ -26,12 +26,13 @@ def draw_distribution(axes, statistics):
                       color=colours[index], mec="white", mew=0.4,
                       label=f"{group['label']}: $\\langle s\\rangle$ = {mean:.3g}{spread}, "
                             f"{group['bursts']['counted']} bursts")
-        largest, smallest = max(largest, x.max() * 1.08), min(smallest, 0.5 * p.min())
+        largest, smallest, top = max(largest, x.max() * 1.08), min(smallest, 0.5 * p.min()), max(top, p.max())
     x = np.linspace(0, largest, 100)
     axes.plot(x, np.exp(-x), color=style.GREY, ls="--", zorder=1, label=r"exponential $e^{-s/\langle s\rangle}$")
     axes.set_yscale("log")
     axes.set_xlim(0, largest)
-    axes.set_ylim(max(smallest, 1e-5), 6)
+    # Room for the legend above the data: a line needs about a third of a decade.
+    axes.set_ylim(max(smallest, 1e-5), top * 10 ** (0.5 + 0.3 * len(statistics.groups)))
     if empty:
         style.say(axes, "no burst that began and ended\nwithin the runs")
     axes.set_xlabel(r"burst size $s/\langle s\rangle$ [1]")

@@ -6,12 +6,14 @@ import numpy as np
 import style
 from stats_files import neck_ratio, value
 
+FEWEST_STEPS = 3       # arrests that must have ended by themselves for a survival function to mean anything
 SHORTEST_SHOWN = 1e-3  # T/tau; below it two particles cross the plane side by side
 
 
 def draw_density(axes, statistics):
     colours = style.group_colours(len(statistics.groups))
     single = len(statistics.groups) == 1
+    shown = []
     for index, group in enumerate(statistics.groups):
         rows = [row for row in statistics.rows("lapse_distribution", index) if row["count"] > 0]
         if not rows:
@@ -22,14 +24,17 @@ def draw_density(axes, statistics):
         axes.errorbar(x, p, yerr=[np.minimum(error, 0.5 * p), error], fmt=style.MARKERS[index % len(style.MARKERS)], ms=3.6, lw=0.7,
                       color=colours[index], mec="white", mew=0.3, label=group["label"])
         draw_fits(axes, group, colours[index], x.max(), single)
+        shown += [v for t, v in zip(x, p) if t >= SHORTEST_SHOWN]
     axes.set_xscale("log")
     axes.set_yscale("log")
-    if not axes.has_data():
+    if shown:
+        mark_threshold(axes, statistics)
+        axes.set_xlim(left=max(axes.get_xlim()[0], SHORTEST_SHOWN))
+        axes.set_ylim(0.2 * min(shown), 5 * max(shown))
+    else:
         style.say(axes, "no two passages in any run")
         axes.set_xlim(0.01, 100)
         axes.set_ylim(1e-4, 10)
-    mark_threshold(axes, statistics)
-    axes.set_xlim(left=max(axes.get_xlim()[0], SHORTEST_SHOWN))
     axes.set_xlabel(r"lapse $T/\tau$ [1]")
     axes.set_ylabel(r"probability density $P(T/\tau)$ [1]")
     style.legend(axes, loc="lower left")
@@ -59,16 +64,16 @@ def mark_threshold(axes, statistics):
 def draw_survival(axes, statistics):
     """Kaplan-Meier estimate for the arrests, censored ones included, and the two rival laws."""
     colours = style.group_colours(len(statistics.groups))
-    lowest, longest, drawn = 0.3, 2.0, False
+    lowest, drawn = 0.1, False
     for index, group in enumerate(statistics.groups):
         rows = statistics.rows("arrest_survival", index)
-        if not rows:
+        if len(rows) < FEWEST_STEPS:
             continue
         drawn = True
         x = np.array([group["t_min"] / group["tau"]] + [row["T/tau [1]"] for row in rows])
         s = np.array([1.0] + [row["S [1]"] for row in rows])
         error = np.array([0.0] + [row["error [1]"] for row in rows])
-        lowest, longest = min(lowest, s[s > 0].min()), max(longest, x.max())
+        lowest = min(lowest, s[s > 0].min())
         axes.fill_between(x, np.maximum(s - error, 1e-9), np.minimum(s + error, 1), step="post", color=colours[index], alpha=0.18, lw=0)
         axes.step(x, np.maximum(s, 1e-9), where="post", color=colours[index], label=survival_label(group))
         draw_laws(axes, group, x, len(statistics.groups) == 1)
@@ -77,7 +82,7 @@ def draw_survival(axes, statistics):
     if drawn:
         axes.set_ylim(0.5 * lowest, 4)
     else:
-        style.say(axes, "no arrest ended by a passage")
+        style.say(axes, missing_survival(statistics))
         axes.set_xlim(0.3, 30)
         axes.set_ylim(0.01, 4)
     axes.set_xlabel(r"arrest $T/\tau$ [1]")
@@ -85,10 +90,22 @@ def draw_survival(axes, statistics):
     style.legend(axes, loc="upper right")
 
 
-def survival_label(group):
+def counts(group):
+    """(all arrests, censored ones)"""
     arrests = group["arrests"]
     cut = arrests["ended_by_release"] + arrests["ended_by_end_of_run"]
-    return f"{group['label']}: {arrests['ended_by_passage'] + cut} arrests, {cut} censored"
+    return arrests["ended_by_passage"] + cut, cut
+
+
+def survival_label(group):
+    return "{}: {} arrests, {} censored".format(group["label"], *counts(group))
+
+
+def missing_survival(statistics):
+    arrests, cut = (sum(numbers) for numbers in zip(*map(counts, statistics.groups)))
+    if arrests == 0:
+        return r"no arrest ($T \geq T_{\min}$) in any run"
+    return f"{cut} of {arrests} arrests were cut by a release\nor by the end of the run:\nno survival function"
 
 
 def draw_laws(axes, group, x, single):

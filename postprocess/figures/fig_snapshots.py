@@ -26,28 +26,41 @@ def candidates(statistics, index):
     found = []
     for seed, rows in bursts.items():
         times = np.array(run_file.snapshot_times(files[seed]["file"]))
-        passages = run_file.read_events(files[seed]["file"]).passage_times
-        for row, following in zip(rows, rows[1:] + [None]):
+        events = run_file.read_events(files[seed]["file"])
+        for row in rows:
             if row["kind"] == "cut off" or row["s [1]"] < 2 or len(times) == 0:
                 continue
-            inside = passages[(passages >= row["start [s]"] - 1e-12)][: int(row["s [1]"])]
+            inside = events.passage_times[events.passage_times >= row["start [s]"] - 1e-12][: int(row["s [1]"])]
             if len(inside) < 2:
                 continue
-            end = following["start [s]"] if following else files[seed]["end"]
-            moments = pick(times, inside[0], inside[-1], end)
+            moments = pick(times, inside, quiet_span(events, inside, files[seed]["end"]))
             if moments:
                 found.append((row["s [1]"], files[seed]["file"], moments))
     return found
 
 
-def pick(times, first, last, following):
-    """Recorded moments before, within and after a burst, or None."""
-    before = times[times < first]
-    within = times[(times >= first) & (times <= last)]
-    after = times[(times > last) & (times < following)]
-    if min(len(before), len(within), len(after)) == 0:
-        return None
-    return before[-1], within[np.argmin(np.abs(within - 0.5 * (first + last)))], after[-1]
+def quiet_span(events, inside, end):
+    """(start, end) of the clog before a burst and of the one after it; a release ends the clog."""
+    passages, releases = events.passage_times, events.release_times
+    earlier, later = passages[passages < inside[0]], passages[passages > inside[-1]]
+    before = [earlier[-1] if len(earlier) else 0.0, inside[0]]
+    after = [inside[-1], later[0] if len(later) else end]
+    for span in (before, after):
+        within = releases[(releases > span[0]) & (releases < span[1])]
+        if len(within):
+            span[1] = within[0]
+    return before, after
+
+
+def pick(times, inside, quiet):
+    """Recorded moments in the middle of the clog before, of the burst, and of the clog after, or None."""
+    moments = []
+    for start, end in (quiet[0], (inside[0], inside[-1]), quiet[1]):
+        within = times[(times >= start) & (times <= end)]
+        if len(within) == 0:
+            return None
+        moments.append(within[np.argmin(np.abs(within - 0.5 * (start + end)))])
+    return moments
 
 
 def choose(statistics, index):
@@ -98,7 +111,7 @@ def draw(statistics, index, folder, name):
     snapshots = [run_file.read_snapshot(file, t) for t in moments]
     fastest = max([float(np.quantile(s.speed, 0.99)) for s in snapshots if len(s.speed)] + [1e-12])
     norm = Normalize(0, fastest * MM)
-    figure, panels = plt.subplots(len(moments), 1, sharex=True, squeeze=False)
+    figure, panels = plt.subplots(len(moments), 1, sharex=True, squeeze=False, layout="compressed")
     for axes, snapshot, title, letter in zip(panels[:, 0], snapshots, titles, "abc"):
         frame(axes, group, snapshots)
         circles = draw_particles(axes, snapshot, norm)
@@ -108,7 +121,7 @@ def draw(statistics, index, folder, name):
                        fontweight="normal", fontsize=8.5)
     # Panels of equal scale on both axes fill the page only if its height follows from their shape.
     (left, right), (low, high) = panels[0, 0].get_xlim(), panels[0, 0].get_ylim()
-    figure.set_size_inches(PANEL + 1.35, len(moments) * (PANEL * (high - low) / (right - left) + 0.27) + 0.35)
+    figure.set_size_inches(PANEL + 1.5, len(moments) * (PANEL * (high - low) / (right - left) + 0.27) + 0.35)
     panels[-1, 0].set_xlabel(r"$x$ [µm]")
     bar = figure.colorbar(circles, ax=panels[:, 0], fraction=0.035, pad=0.02, aspect=40)
     bar.set_label("particle speed [mm/s]")

@@ -1,4 +1,5 @@
-// Run files of a made-up flow with known laws: geometric bursts, Pareto arrests, particles on a lattice.
+// Run files of a made-up flow with known laws: geometric bursts, Pareto arrests, particles on a
+// lattice.
 #pragma once
 
 #include <cmath>
@@ -16,9 +17,9 @@ struct SyntheticEnsemble {
   std::string protocol = "none";
   double mean_burst = 12;
   double alpha = 2.5;
-  double end = 1.5;           ///< [s]
+  double end = 1.5;                  ///< [s]
   double snapshot_interval = 0.002;  ///< [s]; 0: none
-  std::string more;           ///< further lines of the scene
+  std::string more;                  ///< further lines of the scene
 };
 
 inline std::string scene_of(const SyntheticEnsemble& ensemble) {
@@ -33,7 +34,8 @@ density = "1062 kg/m3"
 source = "openfoam"
 mean_velocity = "5 mm/s"
 [particles]
-diameter = ")" + ensemble.diameter + R"("
+diameter = ")" + ensemble.diameter +
+                           R"("
 [contact]
 youngs_modulus = "3e6 Pa"
 poisson_ratio = 0.35
@@ -42,14 +44,17 @@ poisson_ratio = 0.35
 strips = 3
 [inlet]
 [unclog]
-protocol = ")" + ensemble.protocol + R"("
+protocol = ")" + ensemble.protocol +
+                           R"("
 [time]
-end = ")" + std::to_string(ensemble.end) + " s\"\n";
+end = ")" + std::to_string(ensemble.end) +
+                           " s\"\n";
   return effective_scene(parse_scene(text, "synthetic.toml"));
 }
 
 /// A snapshot of spheres on a jittered lattice that fills the channel; flowing ones move along x.
-inline RunData::Snapshot synthetic_snapshot(double time, double diameter, double flowing, RandomStream random) {
+inline RunData::Snapshot synthetic_snapshot(double time, double diameter, double flowing,
+                                            RandomStream random) {
   RunData::Snapshot snapshot;
   snapshot.time = time;
   const double spacing = 1.12 * diameter;
@@ -61,14 +66,18 @@ inline RunData::Snapshot synthetic_snapshot(double time, double diameter, double
         if (x > 0 && flowing < 0.5) continue;
         const double jitter = 0.12 * diameter;
         snapshot.id.push_back(static_cast<std::int64_t>(snapshot.id.size()));
-        for (const double c : {x, y, z}) snapshot.position.push_back(c + jitter * (random.uniform() - 0.5));
-        const double speed = flowing * 0.02 * std::min(1.0, 50e-6 / half) * (0.6 + 0.4 * random.uniform());
-        for (const double c : {speed, 0.1 * speed * (random.uniform() - 0.5), 0.0}) snapshot.velocity.push_back(c);
+        for (const double c : {x, y, z})
+          snapshot.position.push_back(c + jitter * (random.uniform() - 0.5));
+        const double speed =
+            flowing * 0.02 * std::min(1.0, 50e-6 / half) * (0.6 + 0.4 * random.uniform());
+        for (const double c : {speed, 0.1 * speed * (random.uniform() - 0.5), 0.0})
+          snapshot.velocity.push_back(c);
         snapshot.radius.push_back(diameter / 2);
       }
     }
   }
-  for (auto* zeros : {&snapshot.spin, &snapshot.force, &snapshot.torque}) zeros->assign(snapshot.position.size(), 0.0);
+  for (auto* zeros : {&snapshot.spin, &snapshot.force, &snapshot.torque})
+    zeros->assign(snapshot.position.size(), 0.0);
   return snapshot;
 }
 
@@ -87,8 +96,9 @@ inline void add_series(RunData& run, double interval, RandomStream random) {
     run.series.count.push_back(static_cast<std::int64_t>(950 + 2000 * wave));
     run.series.packing_fraction.push_back(0.45 + wave);
     run.series.porosity.push_back({0.62 - wave, 0.57 - 0.5 * wave, 0.53 + wave});
-    for (auto* column : {&run.series.kinetic_energy, &run.series.elastic_energy, &run.series.largest_overlap, &run.series.drag_work,
-                         &run.series.dissipated, &run.series.median_speed, &run.series.speed_q99}) {
+    for (auto* column : {&run.series.kinetic_energy, &run.series.elastic_energy,
+                         &run.series.largest_overlap, &run.series.drag_work, &run.series.dissipated,
+                         &run.series.median_speed, &run.series.speed_q99}) {
       column->push_back(0);
     }
     run.series.contacts.push_back(0);
@@ -108,7 +118,8 @@ inline RunData synthetic_run(const SyntheticEnsemble& ensemble, std::uint64_t se
   double next_snapshot = 0;
   const auto snapshots_until = [&](double time, double flowing) {
     while (ensemble.snapshot_interval > 0 && next_snapshot < std::min(time, run.end_time)) {
-      run.snapshots.push_back(synthetic_snapshot(next_snapshot, scene.particles.diameter, flowing, random));
+      run.snapshots.push_back(
+          synthetic_snapshot(next_snapshot, scene.particles.diameter, flowing, random));
       next_snapshot += ensemble.snapshot_interval;
     }
   };
@@ -122,7 +133,8 @@ inline RunData synthetic_run(const SyntheticEnsemble& ensemble, std::uint64_t se
       snapshots_until(t + lapse, 1.0);
       t += lapse;
     }
-    const double arrest = 0.5 * tau * std::pow(1.0 - random.uniform(), -1.0 / (ensemble.alpha - 1.0));
+    const double arrest =
+        0.5 * tau * std::pow(1.0 - random.uniform(), -1.0 / (ensemble.alpha - 1.0));
     const double start = by_release ? t + scene.unclog.after + 0.1 * tau : t + arrest;
     snapshots_until(start, 0.0);
     t = start;
@@ -140,10 +152,13 @@ inline RunData synthetic_run(const SyntheticEnsemble& ensemble, std::uint64_t se
 }
 
 /// Writes seeds 1 ... count into a folder, which it empties first.
-inline std::filesystem::path write_ensemble(const std::filesystem::path& folder, const SyntheticEnsemble& ensemble, std::uint64_t count) {
+inline std::filesystem::path write_ensemble(const std::filesystem::path& folder,
+                                            const SyntheticEnsemble& ensemble,
+                                            std::uint64_t count) {
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
-  for (std::uint64_t seed = 1; seed <= count; ++seed) write_run_file(synthetic_run(ensemble, seed), folder / run_file_name(seed));
+  for (std::uint64_t seed = 1; seed <= count; ++seed)
+    write_run_file(synthetic_run(ensemble, seed), folder / run_file_name(seed));
   return folder;
 }
 

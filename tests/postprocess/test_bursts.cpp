@@ -59,7 +59,10 @@ TEST(Lapses, a_release_cuts_them_and_what_it_shakes_loose_starts_none) {
 
 TEST(Lapses, before_the_window_nothing_counts) {
   EXPECT_EQ(lapses_of(run_with({1, 2, 3}, 4), {1.5, 4}).size(), 2U);
-  EXPECT_THAT(refusal([] { lapses_of(run_with({2, 1}, 3), {0, 3}); }), HasSubstr("passages are not in order of time"));
+  EXPECT_THAT(refusal([] {
+                lapses_of(run_with({2, 1}, 3), {0, 3});
+              }),
+              HasSubstr("passages are not in order of time"));
 }
 
 TEST(Bursts, between_clogs) {
@@ -78,7 +81,8 @@ TEST(Bursts, a_clog_at_the_end_makes_the_last_one_whole) {
 }
 
 RunData released() {
-  // First burst of 2; release at 5: 1 while off, then 3; release at 20: none; release at 30: 2 and the end.
+  // First burst of 2; release at 5: 1 while off, then 3; release at 20: none; release at 30: 2 and
+  // the end.
   auto run = run_with({1, 2, 5.1, 6, 7, 9, 31, 32}, 33);
   run.passages.friction_off = {0, 0, 1, 0, 0, 0, 0, 0};
   run.releases.off = {5, 20, 30};
@@ -89,7 +93,8 @@ RunData released() {
 TEST(Bursts, after_releases) {
   const auto bursts = bursts_after_releases(released(), {0, 33}, 4.0);
   EXPECT_THAT(sizes(bursts), ElementsAre(2, 3, 0, 2));
-  EXPECT_THAT(kinds(bursts), ElementsAre(BurstKind::first, BurstKind::whole, BurstKind::whole, BurstKind::cut_off));
+  EXPECT_THAT(kinds(bursts), ElementsAre(BurstKind::first, BurstKind::whole, BurstKind::whole,
+                                         BurstKind::cut_off));
   EXPECT_EQ(bursts[1].while_off, 1U);
   EXPECT_EQ(bursts[1].start, 5.5);
   EXPECT_EQ(bursts[1].duration, 3);
@@ -97,7 +102,8 @@ TEST(Bursts, after_releases) {
 
 TEST(Bursts, at_rest_before_the_end_is_whole) {
   EXPECT_EQ(bursts_after_releases(released(), {0, 33}, 0.5).back().kind, BurstKind::whole);
-  EXPECT_THAT(kinds(bursts_after_releases(run_with({1}, 9), {0, 9}, 2)), ElementsAre(BurstKind::cut_off));
+  EXPECT_THAT(kinds(bursts_after_releases(run_with({1}, 9), {0, 9}, 2)),
+              ElementsAre(BurstKind::cut_off));
 }
 
 SeedRecord record_of_releases() {
@@ -120,13 +126,14 @@ double value(const char* key, const Totals& totals) {
 
 TEST(Totals, releases_by_hand) {
   const auto totals = totals_of(record_of_releases(), {2.0, 1.0}, {0, 33});
-  EXPECT_EQ(value("mean_burst", totals), 3);             // the first and the cut-off burst do not count
+  EXPECT_EQ(value("mean_burst", totals), 3);  // the first and the cut-off burst do not count
   EXPECT_EQ(value("mean_burst_with_zeros", totals), 1.5);
-  EXPECT_EQ(value("mean_burst_censored", totals), 5);    // (3 + 2)/1
+  EXPECT_EQ(value("mean_burst_censored", totals), 5);  // (3 + 2)/1
   EXPECT_EQ(value("share_failed", totals), 0.5);
   EXPECT_EQ(value("passages_while_off", totals), 0.5);
   EXPECT_NEAR(value("flow_rate", totals), 7.0 / 33.0, 1e-15);
-  // T_min = 1: lapses 1, 3 (cut by the release), 1, 2, 11 (cut), 1, 1 (cut by the end): all are arrests.
+  // T_min = 1: lapses 1, 3 (cut by the release), 1, 2, 11 (cut), 1, 1 (cut by the end): all are
+  // arrests.
   EXPECT_EQ(totals.arrests, 7);
   EXPECT_EQ(totals.censored, 3);
   EXPECT_NEAR(value("alpha_fixed", totals), 1 + 4 / std::log(3.0 * 2.0 * 11.0), 1e-14);
@@ -157,14 +164,15 @@ TEST(Totals, a_clog_that_outlives_the_run_is_permanent) {
 }
 
 TEST(Distributions, bursts_on_whole_particles) {
+  // Mean 2, few bursts: the first bin is as wide as the mean, the next 2.5 rounded up.
   const auto bins = burst_histogram({1, 1, 2, 4});
-  ASSERT_EQ(bins.size(), 4U);
+  ASSERT_EQ(bins.size(), 2U);
   EXPECT_EQ(bins[0].from, 0.5);
-  EXPECT_EQ(bins[0].count, 2U);
-  EXPECT_DOUBLE_EQ(bins[0].density, 0.5);
-  EXPECT_EQ(bins[2].count, 0U);
-  const auto wide = burst_histogram({5, 15, 10});
-  EXPECT_EQ(wide[0].to, 2.5);  // mean 10: bins of two particles
+  EXPECT_EQ(bins[0].to, 2.5);
+  EXPECT_EQ(bins[0].count, 3U);
+  EXPECT_DOUBLE_EQ(bins[0].density, 0.375);
+  EXPECT_EQ(bins[1].to, 5.5);
+  EXPECT_EQ(bins[1].count, 1U);
 }
 
 TEST(Distributions, logarithmic_bins_integrate_to_one) {

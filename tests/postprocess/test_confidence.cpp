@@ -24,10 +24,12 @@ TEST(Confidence, covers_the_true_mean) {
   int covered = 0;
   constexpr int ensembles = 300;
   for (std::uint64_t k = 0; k < ensembles; ++k) {
-    const auto estimate = mean_of(exponential_sample(30, 4.0, {k, 21}), {.replicates = 400, .seed = k});
+    const auto estimate =
+        mean_of(exponential_sample(30, 4.0, {k, 21}), {.replicates = 400, .seed = k});
     covered += estimate.low <= 4.0 && 4.0 <= estimate.high ? 1 : 0;
   }
-  // 95 % nominal; the percentile interval of 30 skewed values covers 90 to 93 %. Binomial error 1.5 %.
+  // 95 % nominal; the percentile interval of 30 skewed values covers 90 to 93 %. Binomial error 1.5
+  // %.
   EXPECT_GT(covered, 0.86 * ensembles);
   EXPECT_LT(covered, 0.98 * ensembles);
 }

@@ -41,8 +41,9 @@ TEST(PowerLaw, ties_are_treated_as_in_plfit) {
   EXPECT_NEAR(surnames.xmin, 111.92e3, 5.0);
 }
 
-// Five values by hand: tail 1, 2, 2, 4 with x_min = 1 has sum of ln = ln 16, so alpha = 1 + 4/ln 16;
-// (x)^-(alpha-1) = exp(-4 ln x/ln 16): F(2) = 1 - 1/e, F(4) = 1 - 1/e^2. Ties: 2 stands at 1/4 and 2/4.
+// Five values by hand: tail 1, 2, 2, 4 with x_min = 1 has sum of ln = ln 16, so alpha = 1 + 4/ln
+// 16; (x)^-(alpha-1) = exp(-4 ln x/ln 16): F(2) = 1 - 1/e, F(4) = 1 - 1/e^2. Ties: 2 stands at 1/4
+// and 2/4.
 TEST(PowerLaw, ties_by_hand) {
   const SortedSample sample({2, 1, 4, 2});
   const auto tail = power_law_tail(sample, 0, 1.0);
@@ -61,7 +62,9 @@ PowerLawFit every_candidate(const SortedSample& sample) {
   for (std::size_t k = 0; k + 1 < distinct.size(); ++k) {
     const auto tail = power_law_tail(sample, distinct[k], sample.value(distinct[k]));
     const double ks = ks_distance_all_points(sample, tail);
-    if (ks < best.ks) best = {tail.alpha, sample.value(distinct[k]), 0, ks, sample.size() - tail.first, sample.size()};
+    if (ks < best.ks)
+      best = {tail.alpha, sample.value(distinct[k]),  0,
+              ks,         sample.size() - tail.first, sample.size()};
   }
   return best;
 }
@@ -74,8 +77,9 @@ std::vector<double> with_ties(std::vector<double> values) {
 TEST(PowerLaw, pruned_scan_is_exact) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     const std::size_t n = 6 + 37 * seed;
-    std::vector<std::vector<double>> samples{pareto_sample(n, 1.5 + 0.05 * static_cast<double>(seed), {seed, 0}),
-                                             exponential_sample(n, 3.0, {seed, 1})};
+    std::vector<std::vector<double>> samples{
+        pareto_sample(n, 1.5 + 0.05 * static_cast<double>(seed), {seed, 0}),
+        exponential_sample(n, 3.0, {seed, 1})};
     samples.push_back(with_ties(samples[0]));
     samples.push_back(with_ties(samples[1]));
     for (const auto& values : samples) {
@@ -114,15 +118,36 @@ TEST(PowerLaw, scaling_the_data_scales_xmin_only) {
 }
 
 TEST(PowerLaw, refusals) {
-  EXPECT_THAT(refusal([] { SortedSample({1, 0, 2}); }), HasSubstr("value 0 (a power law needs positive"));
+  EXPECT_THAT(refusal([] {
+                SortedSample({1, 0, 2});
+              }),
+              HasSubstr("value 0 (a power law needs positive"));
   EXPECT_THAT(refusal([] { SortedSample({1, -2}); }), HasSubstr("value -2"));
-  EXPECT_THAT(refusal([] { SortedSample(std::vector<double>{}); }), HasSubstr("the sample is empty"));
-  EXPECT_THAT(refusal([] { fit_power_law(SortedSample({1, 2, 3, 4})); }), HasSubstr("4 values (a fit needs at least 5)"));
-  EXPECT_THAT(refusal([] { fit_power_law(SortedSample({3, 3, 3, 3, 3})); }), HasSubstr("all 5 values equal 3"));
-  EXPECT_THAT(refusal([] { fit_power_law(SortedSample({1, 2, 3}), 3.0); }), HasSubstr("leaves 1 of 3 values"));
-  EXPECT_THAT(refusal([] { fit_power_law(SortedSample({1, 3, 3}), 3.0); }), HasSubstr("all values from xmin = 3 on equal it"));
-  EXPECT_THAT(refusal([] { fit_power_law(SortedSample({1, 3, 3}), -1.0); }), HasSubstr("xmin = -1 (must be positive)"));
-  EXPECT_THAT(refusal([] { goodness_of_fit(SortedSample({1, 2, 3, 4, 5}), {}, {.replicates = 0}); }),
+  EXPECT_THAT(refusal([] { SortedSample(std::vector<double>{}); }),
+              HasSubstr("the sample is empty"));
+  EXPECT_THAT(refusal([] {
+                fit_power_law(SortedSample({1, 2, 3, 4}));
+              }),
+              HasSubstr("4 values (a fit needs at least 5)"));
+  EXPECT_THAT(refusal([] {
+                fit_power_law(SortedSample({3, 3, 3, 3, 3}));
+              }),
+              HasSubstr("all 5 values equal 3"));
+  EXPECT_THAT(refusal([] {
+                fit_power_law(SortedSample({1, 2, 3}), 3.0);
+              }),
+              HasSubstr("leaves 1 of 3 values"));
+  EXPECT_THAT(refusal([] {
+                fit_power_law(SortedSample({1, 3, 3}), 3.0);
+              }),
+              HasSubstr("all values from xmin = 3 on equal it"));
+  EXPECT_THAT(refusal([] {
+                fit_power_law(SortedSample({1, 3, 3}), -1.0);
+              }),
+              HasSubstr("xmin = -1 (must be positive)"));
+  EXPECT_THAT(refusal([] {
+                goodness_of_fit(SortedSample({1, 2, 3, 4, 5}), {}, {.replicates = 0});
+              }),
               HasSubstr("0 bootstrap replicates"));
 }
 
@@ -137,11 +162,12 @@ TEST(GoodnessOfFit, uniform_for_a_true_power_law) {
   constexpr int trials = 100;
   for (std::uint64_t seed = 0; seed < trials; ++seed) {
     const SortedSample sample(pareto_sample(150, 2.5, {seed, 11}));
-    const double p = goodness_of_fit(sample, fit_power_law(sample), {.replicates = 100, .seed = seed});
+    const double p =
+        goodness_of_fit(sample, fit_power_law(sample), {.replicates = 100, .seed = seed});
     below_half += p < 0.5 ? 1 : 0;
     below_tenth += p < 0.1 ? 1 : 0;
   }
-  EXPECT_NEAR(below_half, 50, 16);   // binomial, three standard deviations, and a little
+  EXPECT_NEAR(below_half, 50, 16);  // binomial, three standard deviations, and a little
   EXPECT_NEAR(below_tenth, 10, 10);
 }
 
@@ -149,7 +175,9 @@ TEST(GoodnessOfFit, small_for_exponential_data_with_fixed_xmin) {
   auto values = exponential_sample(1000, 1.0, {2, 2});
   for (double& x : values) x += 1.0;
   const SortedSample sample(values);
-  EXPECT_LT(goodness_of_fit(sample, fit_power_law(sample, 1.0), {.replicates = 200, .lower_end = LowerEnd::fixed}), 0.01);
+  EXPECT_LT(goodness_of_fit(sample, fit_power_law(sample, 1.0),
+                            {.replicates = 200, .lower_end = LowerEnd::fixed}),
+            0.01);
 }
 
 TEST(GoodnessOfFit, small_for_a_sample_that_no_xmin_rescues) {

@@ -9,3 +9,14 @@ clog_tests(test_postprocess
   LIBRARIES clog_postprocess
   LABELS unit
 )
+
+# Starts python and the program itself, so it is slower than a unit test.
+clog_tests(test_postprocess_programs
+  SOURCES
+    postprocess/test_report.cpp
+    postprocess/test_verbs.cpp
+  LIBRARIES clog_postprocess
+  LABELS pipeline
+)
+target_compile_definitions(test_postprocess_programs PRIVATE CLOG_PROGRAM="$<TARGET_FILE:clog>")
+add_dependencies(test_postprocess_programs clog)

@@ -1,0 +1,86 @@
+// The verbs fit, stats and report as a user types them: exit status and one line of error.
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "postprocess/child_process.hpp"
+#include "tests/postprocess/synthetic_ensemble.hpp"
+
+namespace clog::postprocess {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+ChildResult clog(std::vector<std::string> words) {
+  words.insert(words.begin(), CLOG_PROGRAM);
+  return run_program(words);
+}
+
+std::filesystem::path temporary(const char* name) {
+  return std::filesystem::path(testing::TempDir()) / name;
+}
+
+TEST(Fit, prints_json) {
+  const auto plain = clog({"fit", CLOG_TEST_DATA "/csn_surnames.txt"});
+  ASSERT_EQ(plain.status, 0) << plain.output;
+  const auto json = nlohmann::json::parse(plain.output);
+  EXPECT_NEAR(json["alpha"].get<double>(), 2.5, 0.05);
+  EXPECT_EQ(json["n"], 2753);
+  EXPECT_FALSE(json.contains("p_value"));
+  for (const char* key : {"xmin", "sigma", "n_tail", "ks", "ties", "exponential"})
+    EXPECT_TRUE(json.contains(key)) << key;
+}
+
+TEST(Fit, p_value_with_and_without_a_number_and_seeded) {
+  const std::string file = CLOG_TEST_DATA "/csn_surnames.txt";
+  EXPECT_EQ(nlohmann::json::parse(clog({"fit", file, "--p-value"}).output)["p_value_replicates"],
+            1000);
+  const auto once = clog({"fit", file, "--p-value", "50", "--seed", "4"}).output;
+  EXPECT_EQ(nlohmann::json::parse(once)["p_value_replicates"], 50);
+  EXPECT_EQ(clog({"fit", file, "--p-value", "50", "--seed", "4"}).output, once);
+}
+
+TEST(Fit, xmin_given_and_refused) {
+  const auto fixed = nlohmann::json::parse(
+      clog({"fit", CLOG_TEST_DATA "/csn_flares.txt", "--xmin", "323"}).output);
+  EXPECT_NEAR(fixed["alpha"].get<double>(), 1.79, 0.005);
+  EXPECT_EQ(fixed["xmin_from"], "given");
+  const auto refused = clog({"fit", CLOG_TEST_DATA "/csn_flares.txt", "--xmin", "1e9"});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.output, StartsWith("clog: xmin = 1000000000 leaves 0 of 12773 values"));
+}
+
+TEST(Fit, wrong_usage_and_bad_files) {
+  EXPECT_EQ(clog({"fit"}).status, 2);
+  EXPECT_EQ(clog({"fit", "file", "--p-value", "many"}).status, 2);
+  EXPECT_EQ(clog({"fit", "/nonexistent"}).status, 1);
+}
+
+TEST(Stats, from_runs_to_report) {
+  const auto runs = write_ensemble(temporary("clog_verbs_runs"),
+                                   {.end = 0.3, .snapshot_interval = 0.02, .more = {}}, 2);
+  const auto out = temporary("clog_verbs_stats");
+  std::filesystem::remove_all(out);
+  const auto stats = clog({"stats", runs.string(), "--out", out.string(), "--p-value", "10"});
+  ASSERT_EQ(stats.status, 0) << stats.output;
+  EXPECT_THAT(stats.output, StartsWith("D/d = 3.03: 2 seeds, "));
+  EXPECT_TRUE(std::filesystem::exists(out / "stats.json"));
+  const auto report = clog({"report", out.string()});
+  ASSERT_EQ(report.status, 0) << report.output;
+  EXPECT_TRUE(std::filesystem::exists(out / "report" / "report.html"));
+  EXPECT_EQ(clog({"report", runs.string(), "--out", (out / "direct").string()}).status, 0);
+  EXPECT_TRUE(std::filesystem::exists(out / "direct" / "stats.json"));
+}
+
+TEST(Stats, threshold_needs_a_time) {
+  const auto refused = clog({"stats", ".", "--out", "x", "--threshold", "3 m"});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.output,
+              HasSubstr("--threshold 3 m (must be a positive time such as '3.3 ms')"));
+  EXPECT_EQ(clog({"stats", "."}).status, 2);
+}
+
+}  // namespace
+}  // namespace clog::postprocess
