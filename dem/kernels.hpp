@@ -13,13 +13,25 @@ struct ParticlePointers {
   const double *radius, *mass, *inertia;
   double *x, *y, *z, *vx, *vy, *vz, *wx, *wy, *wz;
   double *fx, *fy, *fz, *tx, *ty, *tz;
+  double *state;  ///< packed: x y z r, vx vy vz m, wx wy wz 0 of each particle
+  double *loads;  ///< packed: fx fy fz 0, tx ty tz 0 of each particle
   std::size_t count;
 };
 
-/// Springs of many contacts, one array per component (sliding x y z, rolling x y z, torsion).
-struct SpringPointers {
-  double* component[7];
-  std::uint8_t* touching;  ///< 1 where the springs belong to a contact of the last step
+/// Doubles per particle in the packed arrays: four at a time make one load and a transposition of what
+/// would be sixteen single loads for four contacts.
+inline constexpr int state_stride = 12, loads_stride = 8;
+
+/// Doubles in the widest vector of any instruction set here; arrays that are read in whole vectors are
+/// padded by it.
+inline constexpr std::size_t widest_vector = 8;
+
+/// A ContactSet: springs (sliding x y z, rolling x y z, torsion) of the contacts side by side.
+struct ContactPointers {
+  double* spring[7];
+  int* candidate;      ///< of each contact
+  int* position;       ///< of each candidate's contact, -1 if it does not touch
+  std::size_t* count;  ///< of contacts
 };
 
 struct LubricationLaw {
@@ -40,8 +52,8 @@ struct PairTask {
   ParticlePointers particles;
   const int *first, *second;
   std::size_t count;
-  SpringPointers springs;
-  int *touching, *lubricated;  ///< scratch, `count` long
+  ContactPointers contacts;
+  int* lubricated;  ///< scratch, `count` long
   ContactLaw law;
   LubricationLaw lubrication;
   double dt;
@@ -61,8 +73,8 @@ struct PlaneTask {
   const int* particle;
   const double *nx, *ny, *nz, *offset;  ///< n . x = offset on the plane
   std::size_t count;
-  SpringPointers springs;
-  int *touching, *lubricated;
+  ContactPointers contacts;
+  int* lubricated;  ///< scratch, `count` long
   ContactLaw law;
   LubricationLaw lubrication;
   double dt;
@@ -89,6 +101,8 @@ struct AdvanceTally {
 struct Kernels {
   const char* name;  ///< instruction set
   int lanes;         ///< doubles in a vector
+  void (*pack)(const ParticlePointers&);    ///< state from the arrays; clears the packed loads
+  void (*unpack)(const ParticlePointers&);  ///< packed loads into fx ... tz
   ContactTally (*collide_pairs)(const PairTask&, ContactTerms);
   void (*lubricate_far)(const FarTask&);
   ContactTally (*collide_planes)(const PlaneTask&, ContactTerms);

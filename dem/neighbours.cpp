@@ -22,11 +22,11 @@ struct Memory {
 
 Memory remember(const Neighbours& list, const std::vector<int>& renumbered, std::size_t particles) {
   Memory memory;
-  for (std::size_t k = 0; k < list.first.size(); ++k) {
-    if (!list.springs.touching(k)) continue;
-    const int i = renumbered[list.first[k]], j = renumbered[list.second[k]];
+  for (std::size_t k = 0; k < list.contacts.size(); ++k) {
+    const int pair = list.contacts.candidate(k);
+    const int i = renumbered[list.first[pair]], j = renumbered[list.second[pair]];
     if (i < 0 || j < 0) continue;
-    const Springs<double> springs = list.springs.get(k);
+    const Springs<double> springs = list.contacts.springs(k);
     memory.contacts.push_back(i < j ? Remembered{i, j, springs}
                                     : Remembered{j, i, swapped(springs)});
   }
@@ -66,12 +66,12 @@ std::vector<int> Neighbours::rebuild(Particles& p, const std::vector<std::uint8_
       far_first.push_back(i), far_second.push_back(j);
     }
   });
-  springs.reset(first.size());
-  scratch_touching.resize(first.size());
+  contacts.reset(first.size());
   scratch_lubricated.resize(first.size());
   for (std::size_t k = 0; k < first.size(); ++k)
     for (int c = memory.start[first[k]]; c < memory.start[first[k] + 1]; ++c)
-      if (memory.contacts[c].j == second[k]) springs.set(k, memory.contacts[c].springs);
+      if (memory.contacts[c].j == second[k])
+        contacts.add(static_cast<int>(k), memory.contacts[c].springs);
   return renumbered;
 }
 

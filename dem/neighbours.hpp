@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "dem/cells.hpp"
+#include "dem/contact_set.hpp"
 #include "dem/particles.hpp"
-#include "dem/springs.hpp"
 
 namespace clog {
 
@@ -24,12 +24,12 @@ public:
   std::vector<int> rebuild(Particles& particles, const std::vector<std::uint8_t>& leaving,
                            const Reach& reach);
 
-  /// Pairs that may touch, i < j; slot k of springs() belongs to pair k.
+  /// Pairs that may touch, i < j: the candidates of `contacts`.
   std::vector<int> first, second;
   /// Pairs that can at most lubricate.
   std::vector<int> far_first, far_second;
-  SpringTable springs;
-  std::vector<int> scratch_touching, scratch_lubricated;
+  ContactSet contacts;
+  std::vector<int> scratch_lubricated;
 };
 
 }  // namespace clog

@@ -1,7 +1,5 @@
 #include "dem/particles.hpp"
 
-#include <algorithm>
-
 namespace clog {
 
 namespace {
@@ -35,15 +33,13 @@ void Particles::reorder(const std::vector<int>& order) {
     gather(*values, order);
 }
 
-void Particles::clear_loads() {
-  for (auto* load : {&fx, &fy, &fz, &tx, &ty, &tz}) std::fill(load->begin(), load->end(), 0.0);
-}
-
 ParticlePointers pointers(Particles& p) {
+  p.state.resize(state_stride * p.size());
+  p.loads.resize(loads_stride * p.size());
   return {p.radius.data(), p.mass.data(), p.inertia.data(), p.x.data(),  p.y.data(),  p.z.data(),
           p.vx.data(),     p.vy.data(),   p.vz.data(),      p.wx.data(), p.wy.data(), p.wz.data(),
           p.fx.data(),     p.fy.data(),   p.fz.data(),      p.tx.data(), p.ty.data(), p.tz.data(),
-          p.size()};
+          p.state.data(),  p.loads.data(), p.size()};
 }
 
 }  // namespace clog

@@ -27,6 +27,7 @@ struct Particles {
   std::vector<double> wx, wy, wz;
   std::vector<double> fx, fy, fz;     ///< sum of the forces but drag and body force [N]
   std::vector<double> tx, ty, tz;     ///< sum of the torques [N m]
+  std::vector<double> state, loads;   ///< the hot loops' packed copies, see ParticlePointers
   std::vector<std::uint8_t> passed;   ///< 1 once the passage plane was crossed
 
   std::size_t size() const { return id.size(); }
@@ -34,7 +35,6 @@ struct Particles {
 
   /// Takes the particles in the given order; those not named are dropped.
   void reorder(const std::vector<int>& order);
-  void clear_loads();
 };
 
 /// The arrays as the kernels see them; valid until particles are added or reordered.

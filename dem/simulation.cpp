@@ -152,19 +152,24 @@ void Simulation::compute_forces() {
   }
   // At the very first evaluation nothing has moved yet, so no spring may grow.
   const double dt = kick_ == 0 ? 0 : model_.dt;
-  particles_.clear_loads();
   Neighbours& n = neighbours_;
-  pair_tally_ = kernels_.collide_pairs(
-      {pointers(particles_), n.first.data(), n.second.data(), n.first.size(), n.springs.pointers(),
-       n.scratch_touching.data(), n.scratch_lubricated.data(), pair_law_, model_.lubrication, dt},
-      model_.pair_terms);
-  if (!n.far_first.empty())
-    kernels_.lubricate_far({pointers(particles_), n.far_first.data(), n.far_second.data(),
-                            n.far_first.size(), model_.lubrication});
+  const ParticlePointers p = pointers(particles_);
   WallLaws laws = model_.wall_laws;
   laws.contact = wall_law_;
   laws.dt = dt;
-  wall_tally_ = walls_.empty() ? ContactTally{} : walls_.collide(particles_, kernels_, laws);
+  kernels_.pack(p);
+  pair_tally_ = kernels_.collide_pairs(
+      {p, n.first.data(), n.second.data(), n.first.size(), n.contacts.pointers(),
+       n.scratch_lubricated.data(), pair_law_, model_.lubrication, dt},
+      model_.pair_terms);
+  if (!n.far_first.empty())
+    kernels_.lubricate_far({p, n.far_first.data(), n.far_second.data(), n.far_first.size(),
+                            model_.lubrication});
+  wall_tally_ = walls_.collide_planes(particles_, kernels_, laws);
+  kernels_.unpack(p);
+  const ContactTally corners = walls_.collide_corners(particles_, laws);
+  wall_tally_.contacts += corners.contacts;
+  wall_tally_.largest_overlap = std::max(wall_tally_.largest_overlap, corners.largest_overlap);
   fluid_.evaluate(particles_);
 }
 

@@ -67,14 +67,13 @@ double Simulation::elastic_energy() const {
   const auto& p = particles_;
   const Neighbours& n = neighbours_;
   double energy = walls_.empty() ? 0 : walls_.stored_energy(p, model_.wall_laws.contact);
-  for (std::size_t k = 0; k < n.first.size(); ++k) {
-    if (!n.springs.touching(k)) continue;
-    const int i = n.first[k], j = n.second[k];
+  for (std::size_t k = 0; k < n.contacts.size(); ++k) {
+    const int pair = n.contacts.candidate(k), i = n.first[pair], j = n.second[pair];
     ContactGeometry<double> g{};
     g.overlap = p.radius[i] + p.radius[j] -
                 std::hypot(p.x[i] - p.x[j], p.y[i] - p.y[j], p.z[i] - p.z[j]);
     g.radius = p.radius[i] * p.radius[j] / (p.radius[i] + p.radius[j]);
-    energy += stored_energy(model_.pair_law, g, n.springs.get(k));
+    energy += stored_energy(model_.pair_law, g, n.contacts.springs(k));
   }
   return energy;
 }

@@ -60,18 +60,20 @@ void WallContacts::change(const Walls& walls, double radius, const Particles& pa
   surface_ = WallSurface(walls);
   bins_ = WallBins(walls, radius + reach_.lubrication + reach_.skin);
   particle_.clear();
+  contacts_.reset(0);
   corners_.clear();
 }
 
 void WallContacts::rebuild(const Particles& p, const std::vector<int>& renumbered) {
   // The old slots still name the old indices; their planes do not change.
   std::vector<Touch> memory;
-  for (std::size_t k = 0; k < particle_.size(); ++k) {
+  for (std::size_t contact = 0; contact < contacts_.size(); ++contact) {
+    const int k = contacts_.candidate(contact);
     const int i = renumbered[particle_[k]];
-    if (i < 0 || !springs_.touching(k)) continue;
+    if (i < 0) continue;
     const Vec3 normal(nx_[k], ny_[k], nz_[k]), centre = centre_of(p, i);
     memory.push_back({i, centre - (normal.dot(centre) - offset_[k]) * normal, normal, 0,
-                      springs_.get(k)});
+                      contacts_.springs(contact)});
   }
   for (Touch& touch : corner_touches_) {
     touch.particle = renumbered[touch.particle];
@@ -108,15 +110,15 @@ void WallContacts::rebuild(const Particles& p, const std::vector<int>& renumbere
     }
     if (!corner.triangles.empty()) corners_.push_back(std::move(corner));
   }
-  springs_.reset(particle_.size());
+  contacts_.reset(particle_.size());
   for (std::size_t k = 0; k < known.size(); ++k)
-    if (known[k]) springs_.set(k, recalled[k]);
-  scratch_touching_.resize(particle_.size());
+    if (known[k]) contacts_.add(static_cast<int>(k), recalled[k]);
   scratch_lubricated_.resize(particle_.size());
   corner_touches_ = std::move(memory);
 }
 
-ContactTally WallContacts::collide(Particles& p, const Kernels& kernels, const WallLaws& laws) {
+ContactTally WallContacts::collide_planes(Particles& p, const Kernels& kernels,
+                                          const WallLaws& laws) {
   PlaneTask task{pointers(p),
                  particle_.data(),
                  nx_.data(),
@@ -124,18 +126,16 @@ ContactTally WallContacts::collide(Particles& p, const Kernels& kernels, const W
                  nz_.data(),
                  offset_.data(),
                  particle_.size(),
-                 springs_.pointers(),
-                 scratch_touching_.data(),
+                 contacts_.pointers(),
                  scratch_lubricated_.data(),
                  laws.contact,
                  laws.lubrication,
                  laws.dt};
-  ContactTally tally = kernels.collide_planes(task, laws.terms);
-  collide_corners(p, laws, tally);
-  return tally;
+  return kernels.collide_planes(task, laws.terms);
 }
 
-void WallContacts::collide_corners(Particles& p, const WallLaws& laws, ContactTally& tally) {
+ContactTally WallContacts::collide_corners(Particles& p, const WallLaws& laws) {
+  ContactTally tally;
   std::vector<Touch> touches;
   std::vector<WallPoint> found;
   for (const Corner& corner : corners_) {
@@ -170,16 +170,16 @@ void WallContacts::collide_corners(Particles& p, const WallLaws& laws, ContactTa
     }
   }
   corner_touches_ = std::move(touches);
+  return tally;
 }
 
 std::vector<Touch> WallContacts::touches(const Particles& p) const {
   std::vector<Touch> all = corner_touches_;
-  for (std::size_t k = 0; k < particle_.size(); ++k) {
-    if (!springs_.touching(k)) continue;
-    const int i = particle_[k];
+  for (std::size_t contact = 0; contact < contacts_.size(); ++contact) {
+    const int k = contacts_.candidate(contact), i = particle_[k];
     const Vec3 normal(nx_[k], ny_[k], nz_[k]), centre = centre_of(p, i);
     const double height = normal.dot(centre) - offset_[k];
-    all.push_back({i, centre - height * normal, normal, p.radius[i] - height, springs_.get(k)});
+    all.push_back({i, centre - height * normal, normal, p.radius[i] - height, contacts_.springs(contact)});
   }
   return all;
 }

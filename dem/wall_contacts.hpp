@@ -3,10 +3,10 @@
 
 #include <vector>
 
+#include "dem/contact_set.hpp"
 #include "dem/kernels.hpp"
 #include "dem/neighbours.hpp"
 #include "dem/particles.hpp"
-#include "dem/springs.hpp"
 #include "dem/wall_bins.hpp"
 #include "dem/wall_surface.hpp"
 
@@ -37,8 +37,11 @@ public:
   /// \param renumbered  new index of each old particle, -1 if it left
   void rebuild(const Particles& particles, const std::vector<int>& renumbered);
 
-  /// Adds the forces and torques of all wall contacts.
-  ContactTally collide(Particles& particles, const Kernels& kernels, const WallLaws& laws);
+  /// Adds the loads of the contacts with planes to the packed loads.
+  ContactTally collide_planes(Particles& particles, const Kernels& kernels, const WallLaws& laws);
+
+  /// Adds the loads of the contacts near edges and corners to fx ... tz.
+  ContactTally collide_corners(Particles& particles, const WallLaws& laws);
 
   /// Energy stored in all wall contacts [J].
   double stored_energy(const Particles& particles, const ContactLaw& law) const;
@@ -61,15 +64,13 @@ private:
     std::vector<int> triangles;
   };
 
-  void collide_corners(Particles& particles, const WallLaws& laws, ContactTally& tally);
-
   WallSurface surface_;
   WallBins bins_;
   Reach reach_;
   std::vector<int> particle_;  // of each plane slot
   std::vector<double> nx_, ny_, nz_, offset_;
-  SpringTable springs_;
-  std::vector<int> scratch_touching_, scratch_lubricated_;
+  ContactSet contacts_;
+  std::vector<int> scratch_lubricated_;
   std::vector<Corner> corners_;
   std::vector<Touch> corner_touches_;  // sorted by particle, of the last step
 };

@@ -22,6 +22,9 @@ inline stdx::simd<T, Abi> select(const stdx::simd_mask<T, Abi>& condition, stdx:
   return no;
 }
 
+inline bool any_of(bool condition) { return condition; }
+using stdx::any_of;
+
 /// A 3-vector of numbers or of SIMD vectors.
 template <class Real>
 struct Vector {

@@ -62,20 +62,27 @@ SpringSlider<Real, Vector<Real>> spring_slider(const Vector<Real>& spring,
   Vector<Real> s = spring + Real(p.dt) * velocity;
   const Real stretch = p.stiffness * p.stiffness * dot(s, s);
   const Real limit2 = p.limit * p.limit;
+  // Few contacts of a pack at rest slip, and roots and divisions cost more than all the rest.
   const auto slips = stretch > limit2;
-  s = select(slips, p.limit / sqrt(select(slips, stretch, Real(1.0))), Real(1.0)) * s;
+  if (any_of(slips))
+    s = select(slips, p.limit / sqrt(select(slips, stretch, Real(1.0))), Real(1.0)) * s;
   Vector<Real> f = -(p.stiffness * s) - p.dashpot * velocity;
   const Real size = dot(f, f);
   const auto exceeds = size > limit2;
-  f = select(exceeds, p.limit / sqrt(select(exceeds, size, Real(1.0))), Real(1.0)) * f;
+  if (any_of(exceeds))
+    f = select(exceeds, p.limit / sqrt(select(exceeds, size, Real(1.0))), Real(1.0)) * f;
   return {s, f};
 }
 
 /// The same along one direction, for torsion about the contact normal.
 template <class Real>
 SpringSlider<Real, Real> spring_slider(Real spring, Real velocity, const SliderParameters<Real>& p) {
-  const Real longest = p.limit / p.stiffness;
-  const Real s = max(-longest, min(longest, spring + Real(p.dt) * velocity));
+  Real s = spring + Real(p.dt) * velocity;
+  const Real stretch = p.stiffness * s;
+  if (any_of(stretch > p.limit || -stretch > p.limit)) {
+    const Real longest = p.limit / p.stiffness;
+    s = max(-longest, min(longest, s));
+  }
   const Real f = max(-p.limit, min(p.limit, -(p.stiffness * s) - p.dashpot * velocity));
   return {s, f};
 }

@@ -1,5 +1,5 @@
 // The hot loops for avx2; CMakeLists.txt gives this file its own compiler flags.
-#include "dem/kernels_impl.hpp"
+#include "dem/kernels/table.hpp"
 
 namespace clog {
 

@@ -1,0 +1,169 @@
+// Vectors of doubles and how they get to and from the particles. Everything in this folder's headers is
+// compiled once per instruction set, under flags that no other file has; it must therefore use nothing
+// that another file could also instantiate (no containers).
+#pragma once
+
+#include "dem/kernels.hpp"
+
+namespace clog {
+namespace {
+
+using Lanes = stdx::native_simd<double>;
+constexpr int lanes = static_cast<int>(Lanes::size());
+using Index = const int*;
+
+/// Four doubles: one packed record.
+using Quad = stdx::simd<double, stdx::simd_abi::deduce_t<double, 4>>;
+typedef double RawQuad __attribute__((vector_size(32)));
+
+/// One component of many records as vectors.
+struct Columns {
+  Lanes c[4];
+};
+
+Lanes load(const double* values, Index at) {
+  return Lanes([&](auto k) { return values[at[k]]; });
+}
+
+#ifdef __AVX__
+RawQuad load_quad(const double* record) {
+  RawQuad quad;
+  __builtin_memcpy(&quad, record, sizeof quad);
+  return quad;
+}
+
+/// A vector from its quads, and back. Templates, so that only the branch that fits is compiled.
+template <class V>
+V join(const RawQuad* quads) {
+  if constexpr (V::size() == 4) {
+    return V(quads[0]);
+  } else {
+    return stdx::simd_cast<V>(stdx::concat(Quad(quads[0]), Quad(quads[1])));
+  }
+}
+
+template <class V>
+RawQuad part(const V& v, int half) {
+  if constexpr (V::size() == 4) {
+    return static_cast<RawQuad>(v);
+  } else {
+    return static_cast<RawQuad>(stdx::split<Quad>(v)[half]);
+  }
+}
+
+/// Rows to columns; its own inverse.
+void transpose(RawQuad (&q)[4]) {
+  typedef long long Mask __attribute__((vector_size(32)));
+  const RawQuad low_01 = __builtin_shuffle(q[0], q[1], Mask{0, 4, 2, 6});
+  const RawQuad high_01 = __builtin_shuffle(q[0], q[1], Mask{1, 5, 3, 7});
+  const RawQuad low_23 = __builtin_shuffle(q[2], q[3], Mask{0, 4, 2, 6});
+  const RawQuad high_23 = __builtin_shuffle(q[2], q[3], Mask{1, 5, 3, 7});
+  q[0] = __builtin_shuffle(low_01, low_23, Mask{0, 1, 4, 5});
+  q[1] = __builtin_shuffle(high_01, high_23, Mask{0, 1, 4, 5});
+  q[2] = __builtin_shuffle(low_01, low_23, Mask{2, 3, 6, 7});
+  q[3] = __builtin_shuffle(high_01, high_23, Mask{2, 3, 6, 7});
+}
+#endif
+
+/// Reads record `at[k]` of each lane k; a record is four doubles, `stride` doubles from the next.
+Columns load_records(const double* base, int stride, Index at) {
+  Columns columns;
+#ifdef __AVX__
+  RawQuad quads[lanes / 4][4];
+  for (int half = 0; half < lanes / 4; ++half) {
+    for (int k = 0; k < 4; ++k) quads[half][k] = load_quad(base + stride * at[4 * half + k]);
+    transpose(quads[half]);
+  }
+  for (int c = 0; c < 4; ++c) {
+    RawQuad column[lanes / 4];
+    for (int half = 0; half < lanes / 4; ++half) column[half] = quads[half][c];
+    columns.c[c] = join<Lanes>(column);
+  }
+#else
+  for (int c = 0; c < 4; ++c)
+    columns.c[c] = Lanes([&](auto k) { return base[stride * at[k] + c]; });
+#endif
+  return columns;
+}
+
+/// Adds a 3-vector to record `at[k]` for the first `used` lanes, one after the other: two lanes may
+/// name the same record.
+void add_records(double* base, int stride, Index at, const Vector<Lanes>& amount, int used) {
+#ifdef __AVX__
+  for (int half = 0; half < lanes / 4; ++half) {
+    RawQuad rows[4] = {part(amount.x, half), part(amount.y, half), part(amount.z, half), RawQuad{}};
+    transpose(rows);
+    for (int k = 0; k < 4 && 4 * half + k < used; ++k) {
+      double* record = base + stride * at[4 * half + k];
+      const RawQuad sum = load_quad(record) + rows[k];
+      __builtin_memcpy(record, &sum, sizeof sum);
+    }
+  }
+#else
+  for (int k = 0; k < used; ++k) {
+    double* record = base + stride * at[k];
+    record[0] += amount.x[k];
+    record[1] += amount.y[k];
+    record[2] += amount.z[k];
+  }
+#endif
+}
+
+/// Position and radius, velocity and mass, or spin of the particles in each lane.
+struct Placed {
+  Vector<Lanes> position;
+  Lanes radius;
+};
+
+Placed load_place(const ParticlePointers& p, Index at) {
+  const Columns c = load_records(p.state, state_stride, at);
+  return {{c.c[0], c.c[1], c.c[2]}, c.c[3]};
+}
+
+struct Moving {
+  Vector<Lanes> velocity;
+  Lanes mass;
+};
+
+Moving load_motion(const ParticlePointers& p, Index at) {
+  const Columns c = load_records(p.state + 4, state_stride, at);
+  return {{c.c[0], c.c[1], c.c[2]}, c.c[3]};
+}
+
+Vector<Lanes> load_spin(const ParticlePointers& p, Index at) {
+  const Columns c = load_records(p.state + 8, state_stride, at);
+  return {c.c[0], c.c[1], c.c[2]};
+}
+
+void add_force(const ParticlePointers& p, Index at, const Vector<Lanes>& force, int used) {
+  add_records(p.loads, loads_stride, at, force, used);
+}
+
+void add_torque(const ParticlePointers& p, Index at, const Vector<Lanes>& torque, int used) {
+  add_records(p.loads + 4, loads_stride, at, torque, used);
+}
+
+int lanes_left(std::size_t from, std::size_t count) {
+  const std::size_t left = count - from;
+  return left < static_cast<std::size_t>(lanes) ? static_cast<int>(left) : lanes;
+}
+
+/// Reads or writes a stretch of an array that may end before the vector does.
+Lanes load_part(const double* values, int used) {
+  if (used == lanes) return Lanes(values, stdx::element_aligned);
+  return Lanes([&](auto k) {
+    const int lane = static_cast<int>(k);
+    return values[lane < used ? lane : used - 1];
+  });
+}
+
+void store_part(double* values, Lanes amount, int used) {
+  if (used == lanes) {
+    amount.copy_to(values, stdx::element_aligned);
+  } else {
+    for (int k = 0; k < used; ++k) values[k] = amount[k];
+  }
+}
+
+}  // namespace
+}  // namespace clog
