@@ -41,10 +41,10 @@ seeds = "1"
 class ScratchFolder {
 public:
   ScratchFolder() {
+    // There is no test yet where a whole suite is set up.
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    path_ = std::filesystem::temp_directory_path() /
-            (std::string("clogflow_") + test->test_suite_name() + "_" + test->name() + "_" +
-             std::to_string(getpid()));
+    const std::string name = test ? std::string(test->test_suite_name()) + "_" + test->name() : "suite";
+    path_ = std::filesystem::temp_directory_path() / ("clogflow_" + name + "_" + std::to_string(getpid()));
     std::filesystem::remove_all(path_);
     std::filesystem::create_directories(path_);
   }

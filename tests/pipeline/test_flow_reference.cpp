@@ -1,0 +1,152 @@
+// The default mesh and grid against the reference solution of the 60 degree constriction.
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include "coupling/foam_case_writer.hpp"
+#include "coupling/map_flow.hpp"
+#include "coupling/text_file.hpp"
+#include "dem/flow_field.hpp"
+#include "tests/coupling/flow_scene.hpp"
+#include "tests/pipeline/flow_case.hpp"
+
+namespace clog {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double neck_width = 1e-4;   // [m]
+constexpr double neck_mean = 20e-3;   // [m/s]
+constexpr double density = 1062;      // [kg/m3]
+
+struct ReferencePoint {
+  Vec3 place, velocity;  // [m], [m/s]; Navier-Stokes
+};
+
+std::vector<ReferencePoint> reference_points() {
+  std::ifstream in(fs::path(CLOG_TEST_DATA) / "flow_60deg.csv");
+  std::vector<ReferencePoint> points;
+  std::string line;
+  while (std::getline(in, line)) {
+    if (line.empty() || line[0] == '#' || line[0] == 'x') continue;
+    std::replace(line.begin(), line.end(), ',', ' ');
+    std::istringstream numbers(line);
+    double value[9];
+    for (double& v : value) numbers >> v;
+    points.push_back({neck_width * Vec3(value[0], value[1], value[2]), {value[6], value[7], value[8]}});
+  }
+  return points;
+}
+
+struct Deviation {
+  double rms = 0, largest = 0;  // of the neck's mean velocity
+};
+
+// Deviation of a field from the reference; velocity(i) is the field at its point i.
+template <class Velocity>
+Deviation deviation(const std::vector<ReferencePoint>& points, const Velocity& velocity) {
+  Deviation result;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double error = (velocity(i) - points[i].velocity).norm() / neck_mean;
+    result.rms += error * error / static_cast<double>(points.size());
+    result.largest = std::max(result.largest, error);
+  }
+  result.rms = std::sqrt(result.rms);
+  fmt::print("rms {:.3f} %, largest {:.3f} % of the neck mean\n", 100 * result.rms, 100 * result.largest);
+  return result;
+}
+
+Vec3 quarter(const Vec3& x) { return {x.x(), std::abs(x.y()), std::min(x.z(), neck_width - x.z())}; }
+
+// One solution for all tests of this program.
+class FlowReference : public testing::Test {
+protected:
+  static void SetUpTestSuite() {
+    scratch = new ScratchFolder;
+    folder = scratch->path() / "case";
+    const Scene scene = read_scene(fs::path(CLOG_SOURCE_DIR) / "scenes" / "paper.toml");
+    write_foam_case(scene, folder, foam_template());
+    run = solve(folder);
+  }
+  static void TearDownTestSuite() { delete scratch; }
+  void SetUp() override { ASSERT_EQ(run.status, 0) << run.output; }
+
+  // Values of a field at points of the quarter, by OpenFOAM's own interpolation.
+  static std::vector<std::vector<double>> sampled(const std::string& field, const std::vector<Vec3>& places) {
+    std::string list;
+    for (const Vec3& x : places) list += fmt::format("({} {} {})\n", x.x(), x.y(), x.z());
+    write_file(folder / "system" / "checkDict",
+               "functions { check { type sets; libs (sampling); setFormat raw; fields (" + field +
+                   "); interpolationScheme cellPointFace; sets ( points { type cloud; axis xyz; points (\n" +
+                   list + "); } ); } }\n");
+    const ShellResult post =
+        shell("cd '" + folder.string() + "' && WM_PROJECT_DIR=${WM_PROJECT_DIR:-/usr/share/openfoam} "
+              "postProcess -latestTime -dict system/checkDict -fields '(" + field + ")'" +
+              " && mv postProcessing/check/*/points_" + field + ".xy check_" + field);
+    EXPECT_EQ(post.status, 0) << post.output;
+    std::istringstream in(read_text_file(folder / ("check_" + field)));
+    std::vector<std::vector<double>> rows;
+    for (std::string line; std::getline(in, line);) {
+      std::istringstream numbers(line);
+      rows.emplace_back(std::istream_iterator<double>(numbers), std::istream_iterator<double>());
+    }
+    return rows;
+  }
+
+  inline static ScratchFolder* scratch = nullptr;
+  inline static fs::path folder;
+  inline static ShellResult run{-1, ""};
+};
+
+TEST_F(FlowReference, VelocityOfOpenFoamItself) {
+  const auto points = reference_points();
+  ASSERT_EQ(points.size(), 400u);
+  std::vector<Vec3> places;
+  for (const auto& point : points) places.push_back(quarter(point.place));
+  const auto rows = sampled("U", places);
+  ASSERT_EQ(rows.size(), points.size());
+  const Deviation d = deviation(points, [&](std::size_t i) {
+    const Vec3& x = points[i].place;
+    return Vec3(rows[i].at(3), std::copysign(1.0, x.y()) * rows[i].at(4),
+                (x.z() > neck_width / 2 ? -1 : 1) * rows[i].at(5));
+  });
+  EXPECT_LT(d.rms, 0.002);
+  EXPECT_LT(d.largest, 0.02);
+}
+
+TEST_F(FlowReference, VelocityThroughTheGrid) {
+  const auto points = reference_points();
+  const FlowGrid grid = map_flow(folder);
+  const auto through = [&](Lookup lookup) {
+    const FlowField field(grid, lookup);
+    return deviation(points, [&](std::size_t i) {
+      const Vec3& x = points[i].place;
+      const auto u = field.at(x.x(), x.y(), x.z());
+      return Vec3(u[0], u[1], u[2]);
+    });
+  };
+  const Deviation smooth = through(Lookup::trilinear);
+  EXPECT_LT(smooth.rms, 0.003);
+  EXPECT_LT(smooth.largest, 0.02);
+  // The nearest point is up to half a spacing away: half of 2.5 um times 6 to 8 neck means per neck width.
+  const Deviation nearest = through(Lookup::nearest);
+  EXPECT_LT(nearest.rms, 0.025);
+  EXPECT_LT(nearest.largest, 0.1);
+}
+
+// From x = -3 D to 0.9 D: 17.72 Pa.
+TEST_F(FlowReference, PressureDrop) {
+  const auto rows = sampled("p", {{-3e-4, 1e-6, 4.9e-5}, {0.9e-4, 1e-6, 4.9e-5}});
+  ASSERT_EQ(rows.size(), 2u);
+  const double drop = density * (rows[0].at(3) - rows[1].at(3));
+  fmt::print("pressure drop {:.3f} Pa\n", drop);
+  EXPECT_NEAR(drop, 17.72, 0.01 * 17.72);
+}
+
+}  // namespace
+}  // namespace clog
