@@ -81,6 +81,7 @@ protected:
     std::string list;
     for (const Vec3& x : places) list += fmt::format("({} {} {})\n", x.x(), x.y(), x.z());
     write_file(folder / "system" / "checkDict",
+               "FoamFile { version 2.0; format ascii; class dictionary; object checkDict; }\n"
                "functions { check { type sets; libs (sampling); setFormat raw; fields (" + field +
                    "); interpolationScheme cellPointFace; sets ( points { type cloud; axis xyz; points (\n" +
                    list + "); } ); } }\n");
