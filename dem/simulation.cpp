@@ -259,10 +259,20 @@ void Simulation::rebuild_lists() {
 void Simulation::find_passages() {
   const Domain& d = model_.domain;
   Particles& p = particles_;
+  struct Crossing {
+    double since;  // time from the crossing to now [s]
+    int particle;
+  };
+  std::vector<Crossing> crossings;
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (p.x[i] < d.passage || p.passed[i]) continue;
     p.passed[i] = 1;
-    const double since = p.vx[i] > 0 ? std::min((p.x[i] - d.passage) / p.vx[i], model_.dt) : 0;
+    crossings.push_back({p.vx[i] > 0 ? std::min((p.x[i] - d.passage) / p.vx[i], model_.dt) : 0,
+                         static_cast<int>(i)});
+  }
+  std::stable_sort(crossings.begin(), crossings.end(),
+                   [](const Crossing& a, const Crossing& b) { return a.since > b.since; });
+  for (const auto& [since, i] : crossings) {
     data_.passages.time.push_back(time() - since);
     data_.passages.id.push_back(p.id[i]);
     data_.passages.y.push_back(p.y[i] - since * p.vy[i]);
