@@ -35,7 +35,8 @@ void add_case(CLI::App& app) {
   auto options = std::make_shared<CaseOptions>();
   verb->add_option("scene", options->scene, "scene file (TOML)")->required();
   verb->add_option("folder", options->folder, "of the case; made if absent")->required();
-  verb->add_option("--set", options->overrides, "key=value: overrides the scene")->allow_extra_args(false);
+  verb->add_option("--set", options->overrides, "key=value: overrides the scene")
+      ->allow_extra_args(false);
   verb->callback([options] { write_case(*options); });
 }
 

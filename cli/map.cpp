@@ -33,7 +33,8 @@ void write_map(const MapOptions& options) {
 void add_map(CLI::App& app) {
   auto* verb = app.add_subcommand("map", "sampled OpenFOAM velocities of a case to a regular grid");
   auto options = std::make_shared<MapOptions>();
-  verb->add_option("folder", options->folder, "of a flow case that its Allrun has solved")->required();
+  verb->add_option("folder", options->folder, "of a flow case that its Allrun has solved")
+      ->required();
   verb->add_option("--out", options->out, "the flow file, for example flow.h5")->required();
   verb->callback([options] { write_map(*options); });
 }

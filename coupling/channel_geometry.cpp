@@ -32,7 +32,8 @@ Walls channel_walls(const Scene& scene) {
   Walls walls;
 
   // Upright walls, first at +y; the ones at -y are their mirror image, which turns them around.
-  const std::array<std::array<double, 2>, 4> outline{{{start, wide}, {bend, wide}, {0, neck}, {end, neck}}};
+  const std::array<std::array<double, 2>, 4> outline{
+      {{start, wide}, {bend, wide}, {0, neck}, {end, neck}}};
   for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
     const auto [xa, ya] = outline[i];
     const auto [xb, yb] = outline[i + 1];

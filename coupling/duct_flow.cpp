@@ -27,8 +27,10 @@ double sinh_over_cosh(double a, double b) {
 
 }  // namespace
 
-DuctFlow::DuctFlow(double width, double height) : width_(width), height_(height), turned_(width < height) {
-  require(width > 0 && height > 0, "duct of {} m x {} m (both sides must be positive)", width, height);
+DuctFlow::DuctFlow(double width, double height)
+    : width_(width), height_(height), turned_(width < height) {
+  require(width > 0 && height > 0, "duct of {} m x {} m (both sides must be positive)", width,
+          height);
   long_ = turned_ ? height : width;
   narrow_ = turned_ ? width : height;
   mean_ = 0;

@@ -4,10 +4,11 @@
 namespace clog {
 
 /// Velocity over its mean in developed flow through the duct |y| < width/2, 0 < z < height.
-///   u = sum over odd n of 4/(pi n^3) sin(n pi z/height) [1 - cosh(n pi y/height) / cosh(n pi width/(2 height))],
-/// divided by its own mean; for width < height the two directions change places, so that the sum always
-/// runs across the narrow side and converges fast. Zero outside the duct.
-/// \source F. M. White, Viscous Fluid Flow, 2nd ed., eq. (3-48)
+///   u = sum over odd n of 4/(pi n^3) sin(n pi z/height) [1 - cosh(n pi y/height) / cosh(n pi
+///   width/(2 height))],
+/// divided by its own mean; for width < height the two directions change places, so that the sum
+/// always runs across the narrow side and converges fast. Zero outside the duct. \source F. M.
+/// White, Viscous Fluid Flow, 2nd ed., eq. (3-48)
 class DuctFlow {
 public:
   /// \param width   along y [m], > 0

@@ -13,16 +13,18 @@ FlowLattice flow_lattice(const Scene& scene, double mesh_inlet) {
   const double h = scene.flow.grid_spacing;
   const double layers = g.neck_height / h;
   // Rounding of decimal lengths stays far below 1e-6 of a layer; no other ratio should pass.
-  require(std::abs(layers - std::round(layers)) < 1e-6 && layers > 0.5,
-          "flow.grid_spacing = {} m (it must divide geometry.neck_height = {} m into whole layers); "
-          "use for example {} m",
-          h, g.neck_height, g.neck_height / std::max(1.0, std::ceil(layers)));
+  require(
+      std::abs(layers - std::round(layers)) < 1e-6 && layers > 0.5,
+      "flow.grid_spacing = {} m (it must divide geometry.neck_height = {} m into whole layers); "
+      "use for example {} m",
+      h, g.neck_height, g.neck_height / std::max(1.0, std::ceil(layers)));
   const auto index_at = [&](double x) { return x / h - 0.5; };
   FlowLattice lattice{};
   lattice.spacing = h;
   lattice.x_begin = static_cast<int>(std::floor(index_at(channel_start(scene))));
   lattice.x_end = static_cast<int>(std::ceil(index_at(g.neck_length))) + 1;
-  lattice.x_sampled = std::max(lattice.x_begin, static_cast<int>(std::floor(index_at(mesh_inlet))) + 1);
+  lattice.x_sampled =
+      std::max(lattice.x_begin, static_cast<int>(std::floor(index_at(mesh_inlet))) + 1);
   lattice.half_width = static_cast<int>(std::ceil(g.channel_width / 2 / h - 1e-6));
   lattice.height = static_cast<int>(std::lround(layers));
   return lattice;

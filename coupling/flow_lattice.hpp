@@ -8,15 +8,15 @@
 
 namespace clog {
 
-/// Points ((i + 1/2) h, (j + 1/2) h, (k + 1/2) h), y mirrored about 0. They cover the channel from before
-/// its start to past the end of the neck. The simulated quarter is y > 0, z <= height/2, x behind the
-/// inlet of the mesh; the flow before it is developed.
+/// Points ((i + 1/2) h, (j + 1/2) h, (k + 1/2) h), y mirrored about 0. They cover the channel from
+/// before its start to past the end of the neck. The simulated quarter is y > 0, z <= height/2, x
+/// behind the inlet of the mesh; the flow before it is developed.
 struct FlowLattice {
-  double spacing;            ///< h [m]
-  int x_begin, x_end;        ///< range of i; x_end is past the last
-  int x_sampled;             ///< first i inside the mesh
-  int half_width;            ///< j runs from -half_width to half_width - 1
-  int height;                ///< k runs from 0 to height - 1
+  double spacing;      ///< h [m]
+  int x_begin, x_end;  ///< range of i; x_end is past the last
+  int x_sampled;       ///< first i inside the mesh
+  int half_width;      ///< j runs from -half_width to half_width - 1
+  int height;          ///< k runs from 0 to height - 1
 
   double coordinate(int index) const { return (index + 0.5) * spacing; }  ///< [m]
 

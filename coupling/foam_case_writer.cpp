@@ -28,8 +28,8 @@ bool is_time_folder(const fs::path& path) {
 void remove_results(const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator(folder)) {
     const auto name = entry.path().filename().string();
-    if (name == "postProcessing" || name == "fluxes" || name == "solved" || name.starts_with("log.") ||
-        is_time_folder(entry.path())) {
+    if (name == "postProcessing" || name == "fluxes" || name == "solved" ||
+        name.starts_with("log.") || is_time_folder(entry.path())) {
       fs::remove_all(entry.path());
     }
   }
@@ -37,19 +37,22 @@ void remove_results(const fs::path& folder) {
 }
 
 void copy_template(const fs::path& from, const fs::path& to) {
-  require(fs::exists(from / "Allrun"), "no OpenFOAM template in {} (an incomplete source tree?)", from.string());
+  require(fs::exists(from / "Allrun"), "no OpenFOAM template in {} (an incomplete source tree?)",
+          from.string());
   fs::copy(from, to, fs::copy_options::recursive | fs::copy_options::overwrite_existing);
 }
 
 // Refuses a folder that is neither empty nor a flow case: its files would be mixed with ours.
 void refuse_foreign_folder(const fs::path& folder) {
-  require(!fs::exists(folder) || fs::is_directory(folder), "{} is a file (a case needs a folder); name another",
-          folder.string());
+  require(!fs::exists(folder) || fs::is_directory(folder),
+          "{} is a file (a case needs a folder); name another", folder.string());
   require(!fs::exists(folder) || fs::is_empty(folder) || fs::exists(folder / "hash"),
-          "{} is not empty and not a flow case (it has no file `hash`); name another folder", folder.string());
+          "{} is not empty and not a flow case (it has no file `hash`); name another folder",
+          folder.string());
 }
 
-FoamCaseState write_files(const Scene& scene, const fs::path& folder, const fs::path& template_folder) {
+FoamCaseState write_files(const Scene& scene, const fs::path& folder,
+                          const fs::path& template_folder) {
   const FlowMesh mesh = flow_mesh(scene);
   const FlowLattice lattice = flow_lattice(scene, mesh.inlet);
   const std::string hash = content_hash(flow_inputs(scene)) + "\n";
@@ -71,7 +74,8 @@ FoamCaseState write_files(const Scene& scene, const fs::path& folder, const fs::
 
 }  // namespace
 
-FoamCaseState write_foam_case(const Scene& scene, const fs::path& folder, const fs::path& template_folder) {
+FoamCaseState write_foam_case(const Scene& scene, const fs::path& folder,
+                              const fs::path& template_folder) {
   require(scene.flow.source == FlowSource::openfoam,
           "flow.source is not \"openfoam\" (this scene needs no flow case); set it to write one");
   try {

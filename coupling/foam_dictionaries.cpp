@@ -38,7 +38,8 @@ void add_shape(Dictionary& out, const Scene& scene, const FlowMesh& mesh) {
   out.add("xInlet", mesh.inlet);
   out.add("xWide", mesh.wide_corner.wall, "end of the straight channel");
   out.add("xWideAxis", mesh.wide_corner.axis);
-  out.add("xWideArc", mesh.wide_corner.arc[0], "a point on the arc from the axis to the wide corner");
+  out.add("xWideArc", mesh.wide_corner.arc[0],
+          "a point on the arc from the axis to the wide corner");
   out.add("yWideArc", mesh.wide_corner.arc[1]);
   out.add("xNeckAxis", mesh.neck_edge.axis);
   out.add("xNeckArc", mesh.neck_edge.arc[0], "a point on the arc from the axis to the neck's edge");
@@ -73,8 +74,8 @@ void add_mesh(Dictionary& out, const FlowMesh& mesh) {
 void add_samples(Dictionary& out, const FlowLattice& lattice) {
   const auto [nx, ny, nz] = lattice.quarter();
   const double h = lattice.spacing;
-  // Of an odd number of layers one lies on the symmetry plane, where the search for its cell may fail:
-  // all are lowered by a millionth of the spacing.
+  // Of an odd number of layers one lies on the symmetry plane, where the search for its cell may
+  // fail: all are lowered by a millionth of the spacing.
   const double lower = lattice.height % 2 == 1 ? 1e-6 * h : 0;
   out.head("Samples [m]: points at origin + i * span / (n + 1), i = 1 ... n");
   out.add("samplePointsX", nx);
@@ -103,9 +104,14 @@ std::string inlet_profile(const Scene& scene, const FlowMesh& mesh) {
   const double wide = scene.geometry.channel_width / 2;
   const double high = scene.geometry.neck_height / 2;
   const DuctFlow duct(2 * wide, 2 * high);
-  const auto y = [&](int j) { return wide * graded_edge(j, mesh.cells_across, mesh_grading::inlet); };
-  const auto z = [&](int k) { return high * graded_edge(k, mesh.cells_high, mesh_grading::height); };
-  std::string text = fmt::format("value nonuniform List<vector> {}\n(\n", mesh.cells_across * mesh.cells_high);
+  const auto y = [&](int j) {
+    return wide * graded_edge(j, mesh.cells_across, mesh_grading::inlet);
+  };
+  const auto z = [&](int k) {
+    return high * graded_edge(k, mesh.cells_high, mesh_grading::height);
+  };
+  std::string text =
+      fmt::format("value nonuniform List<vector> {}\n(\n", mesh.cells_across * mesh.cells_high);
   for (int k = 0; k < mesh.cells_high; ++k) {
     for (int j = 0; j < mesh.cells_across; ++j) {
       const double mean =

@@ -25,13 +25,14 @@ double number_after(const std::string& text, const std::string& label, const fs:
   const std::string rest = last_after(text, label, file);
   std::istringstream in(rest);
   double number = 0;
-  require(static_cast<bool>(in >> number), "{}: \"{} {}\" (expected a number)", file.string(), label, rest);
+  require(static_cast<bool>(in >> number), "{}: \"{} {}\" (expected a number)", file.string(),
+          label, rest);
   return number;
 }
 
 std::string version(const std::string& log) {
-  // The header's line is "Version:  1912" from openfoam.com and "Version:  8" from openfoam.org; Debian
-  // leaves it empty and gives the number in the line "Build".
+  // The header's line is "Version:  1912" from openfoam.com and "Version:  8" from openfoam.org;
+  // Debian leaves it empty and gives the number in the line "Build".
   std::smatch match;
   if (std::regex_search(log, match, std::regex(R"(Version:\s*(v?\d[\w.]*))"))) return match[1];
   if (std::regex_search(log, match, std::regex(R"(Build\s*:\s*(\S[^\n]*))"))) return match[1];
@@ -49,7 +50,8 @@ nlohmann::json fluxes(const fs::path& file) {
     planes.push_back({{"surface", name}, {"flux", quarters * flux}, {"error", flux / inlet - 1}});
   }
   require(in.eof() && planes.size() >= 2 && inlet > 0,
-          "{} does not hold one positive flux a surface; run the case's Allrun again", file.string());
+          "{} does not hold one positive flux a surface; run the case's Allrun again",
+          file.string());
   return planes;
 }
 

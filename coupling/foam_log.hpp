@@ -1,4 +1,5 @@
-// What the logs of a solved flow case tell: which program, how large the mesh, how well it converged.
+// What the logs of a solved flow case tell: which program, how large the mesh, how well it
+// converged.
 #pragma once
 
 #include <filesystem>
@@ -7,11 +8,11 @@
 
 namespace clog {
 
-/// Keys openfoam_version, iterations, residuals {Ux, Uy, Uz, p: initial residual of the last iteration},
-/// cells, non_orthogonality [deg], and mass_flux: for each surface of the file `fluxes` its flux [m3/s]
-/// through the whole channel and its relative difference from the inlet's.
-/// \param folder  a flow case that its Allrun has solved
-/// \throws Error when a log is missing, or does not hold what it should
+/// Keys openfoam_version, iterations, residuals {Ux, Uy, Uz, p: initial residual of the last
+/// iteration}, cells, non_orthogonality [deg], and mass_flux: for each surface of the file `fluxes`
+/// its flux [m3/s] through the whole channel and its relative difference from the inlet's. \param
+/// folder  a flow case that its Allrun has solved \throws Error when a log is missing, or does not
+/// hold what it should
 nlohmann::json read_foam_logs(const std::filesystem::path& folder);
 
 }  // namespace clog

@@ -46,7 +46,8 @@ int lattice_index(double coordinate, int first, const FlowLattice& lattice) {
 
 class Reader {
 public:
-  Reader(const std::filesystem::path& file, const FlowLattice& lattice) : file_(file), lattice_(lattice) {
+  Reader(const std::filesystem::path& file, const FlowLattice& lattice)
+      : file_(file), lattice_(lattice) {
     samples_.points = lattice.quarter();
     const auto [nx, ny, nz] = samples_.points;
     const std::size_t count = static_cast<std::size_t>(nx) * ny * nz;
@@ -62,10 +63,11 @@ public:
     for (int axis = 0; axis < 3; ++axis) {
       at[axis] = lattice_index(values[axis], first[axis], lattice_);
       const double exact = lattice_.coordinate(at[axis] + first[axis]);
-      require(at[axis] >= 0 && at[axis] < samples_.points[axis] &&
-                  std::abs(values[axis] - exact) < 1e-3 * lattice_.spacing,
-              "{}: point ({}, {}, {}) m is not on the grid of the scene (samples of another case?); {}",
-              place.text(), values[0], values[1], values[2], remedy);
+      require(
+          at[axis] >= 0 && at[axis] < samples_.points[axis] &&
+              std::abs(values[axis] - exact) < 1e-3 * lattice_.spacing,
+          "{}: point ({}, {}, {}) m is not on the grid of the scene (samples of another case?); {}",
+          place.text(), values[0], values[1], values[2], remedy);
     }
     const std::size_t index = samples_.index(at[0], at[1], at[2]);
     require(!samples_.found[index], "{}: the point is given twice; {}", place.text(), remedy);
@@ -85,7 +87,8 @@ private:
 
 FoamSamples read_foam_samples(const std::filesystem::path& file, const FlowLattice& lattice) {
   const std::string text = read_text_file(file);
-  require(text.empty() || text.back() == '\n', "{} ends inside a line (cut short); {}", file.string(), remedy);
+  require(text.empty() || text.back() == '\n', "{} ends inside a line (cut short); {}",
+          file.string(), remedy);
   Reader reader(file, lattice);
   std::size_t number = 0;
   for (std::size_t begin = 0; begin < text.size();) {

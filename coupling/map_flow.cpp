@@ -18,11 +18,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A plane of the grid may differ this much from the flow rate of the scene. Linear interpolation between
-// cells flattens the profile: 0.2 % with 48 cells across the neck, 2 % with 16. More is a mistake.
+// A plane of the grid may differ this much from the flow rate of the scene. Linear interpolation
+// between cells flattens the profile: 0.2 % with 48 cells across the neck, 2 % with 16. More is a
+// mistake.
 constexpr double flux_tolerance = 0.1;
 
-// The quarter's row j >= 0 for a row -half_width <= j < half_width, and its sign for the y component.
+// The quarter's row j >= 0 for a row -half_width <= j < half_width, and its sign for the y
+// component.
 struct Mirrored {
   int index;
   float sign;
@@ -38,16 +40,20 @@ Mirrored mirror_z(int k, int layers) {
 class Mapper {
 public:
   Mapper(const Scene& scene, const FlowLattice& lattice, const FoamSamples& samples)
-      : scene_(scene), lattice_(lattice), samples_(samples),
+      : scene_(scene),
+        lattice_(lattice),
+        samples_(samples),
         duct_(scene.geometry.channel_width, scene.geometry.neck_height) {}
 
   FlowGrid grid() const {
     FlowGrid grid;
     const double h = lattice_.spacing;
     grid.points = {lattice_.x_end - lattice_.x_begin, 2 * lattice_.half_width, lattice_.height};
-    grid.origin = {lattice_.coordinate(lattice_.x_begin), lattice_.coordinate(-lattice_.half_width), h / 2};
+    grid.origin = {lattice_.coordinate(lattice_.x_begin), lattice_.coordinate(-lattice_.half_width),
+                   h / 2};
     grid.spacing = h;
-    const std::size_t count = static_cast<std::size_t>(grid.points[0]) * grid.points[1] * grid.points[2];
+    const std::size_t count =
+        static_cast<std::size_t>(grid.points[0]) * grid.points[1] * grid.points[2];
     grid.velocity.resize(3 * count);
     grid.solid.resize(count);
     for (int k = 0; k < grid.points[2]; ++k) {
@@ -75,7 +81,8 @@ private:
       }
       const std::size_t from = samples_.index(i - lattice_.x_sampled, my.index, mz.index);
       require(samples_.found[from],
-              "no sample at ({}, {}, {}) m, inside the fluid (the samples file is incomplete); delete the "
+              "no sample at ({}, {}, {}) m, inside the fluid (the samples file is incomplete); "
+              "delete the "
               "file `solved` of the case and run its Allrun again",
               lattice_.coordinate(i), std::abs(y), lattice_.coordinate(mz.index));
       velocity[0] = samples_.velocity[from][0];
@@ -101,8 +108,8 @@ nlohmann::json grid_fluxes(const FlowGrid& grid, const Scene& scene, const FlowL
   const double rate = scene.flow.mean_velocity * g.channel_width * g.neck_height;
   const double bend = -narrowing_length(scene);
   nlohmann::json planes = nlohmann::json::array();
-  for (const double x : {lattice.coordinate(lattice.x_sampled), bend - g.neck_width, bend, bend / 2, 0.0,
-                         g.neck_length / 2, g.neck_length}) {
+  for (const double x : {lattice.coordinate(lattice.x_sampled), bend - g.neck_width, bend, bend / 2,
+                         0.0, g.neck_length / 2, g.neck_length}) {
     const int i = static_cast<int>(std::lround((x - grid.origin.x()) / grid.spacing));
     if (i < 0 || i >= grid.points[0]) continue;
     const double flux = grid_flux(grid, i);
@@ -129,11 +136,13 @@ std::string solved_hash(const fs::path& folder, const Scene& scene) {
   const std::string hash = first_line(folder / "hash");
   const std::string run = (folder / "Allrun").string();
   require(content_hash(flow_inputs(scene)) == hash,
-          "{} does not describe the flow {} of its case (edited, or of another version?); write the case again",
+          "{} does not describe the flow {} of its case (edited, or of another version?); write "
+          "the case again",
           (folder / "scene.toml").string(), hash);
   require(fs::exists(folder / "solved"), "{} is not solved; run {}", folder.string(), run);
-  require(first_line(folder / "solved") == hash, "{} holds the flow of other inputs ({}, not {}); run {}",
-          folder.string(), first_line(folder / "solved"), hash, run);
+  require(first_line(folder / "solved") == hash,
+          "{} holds the flow of other inputs ({}, not {}); run {}", folder.string(),
+          first_line(folder / "solved"), hash, run);
   return hash;
 }
 
@@ -147,12 +156,14 @@ double grid_flux(const FlowGrid& grid, int i) {
   return sum * grid.spacing * grid.spacing;
 }
 
-FlowGrid grid_from_samples(const Scene& scene, const FlowLattice& lattice, const FoamSamples& samples) {
+FlowGrid grid_from_samples(const Scene& scene, const FlowLattice& lattice,
+                           const FoamSamples& samples) {
   return Mapper(scene, lattice, samples).grid();
 }
 
 FlowGrid map_flow(const fs::path& folder) {
-  require(fs::is_directory(folder), "{} is missing (expected the folder of a flow case); write it: clog case",
+  require(fs::is_directory(folder),
+          "{} is missing (expected the folder of a flow case); write it: clog case",
           folder.string());
   const fs::path scene_file = folder / "scene.toml";
   const std::string scene_text = read_text_file(scene_file);
@@ -171,7 +182,8 @@ FlowGrid map_flow(const fs::path& folder) {
   for (const auto& plane : grid.provenance["grid_flux"]) {
     const double error = plane["error"];
     require(std::abs(error) < flux_tolerance,
-            "the flux through x = {} m differs by {:.1f} % from that of the scene (allowed {} %); refine "
+            "the flux through x = {} m differs by {:.1f} % from that of the scene (allowed {} %); "
+            "refine "
             "flow.mesh_cells_per_neck or flow.grid_spacing",
             plane["x"].get<double>(), 100 * error, 100 * flux_tolerance);
   }

@@ -9,16 +9,18 @@
 
 namespace clog {
 
-/// The regular grid of a solved flow case, with walls, effective scene, hash and provenance. Velocities
-/// are those of OpenFOAM, mirrored from the quarter, and before the inlet of its mesh those of developed
-/// duct flow; nothing is rescaled. Points inside a wall or on it are solid with zero velocity.
-/// \throws Error when the case is not solved, is of other inputs than its scene.toml, or its files do
+/// The regular grid of a solved flow case, with walls, effective scene, hash and provenance.
+/// Velocities are those of OpenFOAM, mirrored from the quarter, and before the inlet of its mesh
+/// those of developed duct flow; nothing is rescaled. Points inside a wall or on it are solid with
+/// zero velocity. \throws Error when the case is not solved, is of other inputs than its
+/// scene.toml, or its files do
 ///         not hold what they should
 FlowGrid map_flow(const std::filesystem::path& folder);
 
 /// Velocity and solid mask alone: points, origin, spacing, velocity, solid.
 /// \throws Error when a point in the fluid has no sample
-FlowGrid grid_from_samples(const Scene& scene, const FlowLattice& lattice, const FoamSamples& samples);
+FlowGrid grid_from_samples(const Scene& scene, const FlowLattice& lattice,
+                           const FoamSamples& samples);
 
 /// Volume flux through the plane x = origin + i spacing of the grid by the midpoint rule [m3/s].
 double grid_flux(const FlowGrid& grid, int i);

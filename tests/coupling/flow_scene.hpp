@@ -34,7 +34,8 @@ poisson_ratio = 0.35
 end = "1 s"
 [ensemble]
 seeds = "1"
-)", "flow scene", overrides);
+)",
+                     "flow scene", overrides);
 }
 
 /// A folder of its own that goes away with the test.
@@ -43,8 +44,10 @@ public:
   ScratchFolder() {
     // There is no test yet where a whole suite is set up.
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    const std::string name = test ? std::string(test->test_suite_name()) + "_" + test->name() : "suite";
-    path_ = std::filesystem::temp_directory_path() / ("clogflow_" + name + "_" + std::to_string(getpid()));
+    const std::string name =
+        test ? std::string(test->test_suite_name()) + "_" + test->name() : "suite";
+    path_ = std::filesystem::temp_directory_path() /
+            ("clogflow_" + name + "_" + std::to_string(getpid()));
     std::filesystem::remove_all(path_);
     std::filesystem::create_directories(path_);
   }
@@ -62,6 +65,8 @@ inline void write_file(const std::filesystem::path& file, const std::string& tex
   std::ofstream(file) << text;
 }
 
-inline std::filesystem::path foam_template() { return std::filesystem::path(CLOG_SOURCE_DIR) / "foam_case"; }
+inline std::filesystem::path foam_template() {
+  return std::filesystem::path(CLOG_SOURCE_DIR) / "foam_case";
+}
 
 }  // namespace clog

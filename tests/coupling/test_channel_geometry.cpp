@@ -5,8 +5,8 @@
 #include <numbers>
 #include <tuple>
 
-#include <Eigen/Geometry>
 #include <gmock/gmock.h>
+#include <Eigen/Geometry>
 
 #include "coupling/channel_shape.hpp"
 #include "tests/coupling/flow_scene.hpp"
@@ -80,7 +80,8 @@ TEST_P(ChannelGeometry, EnclosesTheVolumeOfTheChannel) {
   EXPECT_NEAR(sum / volume, 1, 1e-12);
 }
 
-INSTANTIATE_TEST_SUITE_P(Angles, ChannelGeometry, testing::Values("\"10 deg\"", "\"60 deg\"", "\"90 deg\""));
+INSTANTIATE_TEST_SUITE_P(Angles, ChannelGeometry,
+                         testing::Values("\"10 deg\"", "\"60 deg\"", "\"90 deg\""));
 
 // D = 1e-4 m: 4 D x 10 D before the narrowing of 1.5 D / tan 60, slanted walls of 1.5 D / sin 60.
 TEST(ChannelGeometryAreas, AreThoseByHand) {

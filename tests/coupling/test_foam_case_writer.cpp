@@ -20,7 +20,9 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-std::string hash_of(const Overrides& overrides) { return content_hash(flow_inputs(flow_scene(overrides))); }
+std::string hash_of(const Overrides& overrides) {
+  return content_hash(flow_inputs(flow_scene(overrides)));
+}
 
 TEST(FoamCaseWriter, WritesAWholeCase) {
   const ScratchFolder scratch;
@@ -60,14 +62,15 @@ TEST(FoamCaseWriter, KeepsASolvedFlowAndReplacesAnotherOne) {
 
 TEST(FoamCaseWriter, OnlyKeysOfTheFlowChangeTheHash) {
   const std::string hash = hash_of({});
-  for (const char* key : {"particles.diameter=50 um", "contact.youngs_modulus=1 GPa", "ensemble.seeds=1-9"}) {
+  for (const char* key :
+       {"particles.diameter=50 um", "contact.youngs_modulus=1 GPa", "ensemble.seeds=1-9"}) {
     EXPECT_EQ(hash_of({key}), hash) << key;
   }
-  for (const char* key : {"geometry.neck_width=90 um", "geometry.neck_height=110 um",
-                          "geometry.channel_width=500 um", "geometry.channel_length=2 mm",
-                          "geometry.neck_length=150 um", "geometry.half_angle=45 deg",
-                          "flow.mean_velocity=4 mm/s", "fluid.viscosity=1e-3 Pa s",
-                          "fluid.density=1000 kg/m3", "flow.mesh_cells_per_neck=20"}) {
+  for (const char* key :
+       {"geometry.neck_width=90 um", "geometry.neck_height=110 um", "geometry.channel_width=500 um",
+        "geometry.channel_length=2 mm", "geometry.neck_length=150 um", "geometry.half_angle=45 deg",
+        "flow.mean_velocity=4 mm/s", "fluid.viscosity=1e-3 Pa s", "fluid.density=1000 kg/m3",
+        "flow.mesh_cells_per_neck=20"}) {
     EXPECT_NE(hash_of({key}), hash) << key;
   }
 }
@@ -77,22 +80,25 @@ TEST(FoamCaseWriter, RefusesAFolderWithOtherThings) {
   write_file(scratch.path() / "thesis.tex", "precious");
   EXPECT_THAT(refusal([&] { write_foam_case(flow_scene(), scratch.path(), foam_template()); }),
               HasSubstr("is not empty and not a flow case"));
-  EXPECT_THAT(refusal([&] { write_foam_case(flow_scene(), scratch.path() / "thesis.tex", foam_template()); }),
+  EXPECT_THAT(refusal([&] {
+                write_foam_case(flow_scene(), scratch.path() / "thesis.tex", foam_template());
+              }),
               HasSubstr("is a file (a case needs a folder)"));
 }
 
 TEST(FoamCaseWriter, RefusesScenesWithoutSuchAFlow) {
   const ScratchFolder scratch;
   const auto write = [&](const Overrides& overrides) {
-    return refusal([&] { write_foam_case(flow_scene(overrides), scratch.path() / "case", foam_template()); });
+    return refusal(
+        [&] { write_foam_case(flow_scene(overrides), scratch.path() / "case", foam_template()); });
   };
   EXPECT_THAT(write({"flow.source=none"}), HasSubstr("flow.source is not \"openfoam\""));
   EXPECT_THAT(write({"flow.grid_spacing=7 um"}), HasSubstr("it must divide geometry.neck_height"));
   EXPECT_FALSE(fs::exists(scratch.path() / "case")) << "refused before anything is written";
 }
 
-// The arc at a corner leaves the wall at half the angle between the walls there: for 60 degrees its tangent is
-// turned by 30, and the axis point lies half_width tan(15 deg) before the corner.
+// The arc at a corner leaves the wall at half the angle between the walls there: for 60 degrees its
+// tangent is turned by 30, and the axis point lies half_width tan(15 deg) before the corner.
 TEST(FlowMesh, ArcsHalveTheCorners) {
   const FlowMesh mesh = flow_mesh(flow_scene());
   EXPECT_NEAR(mesh.neck_edge.axis, -0.5e-4 * 0.26794919, 1e-12);
@@ -136,8 +142,9 @@ TEST(FoamDictionaries, InletFacesCarryTheWholeFlux) {
     for (int j = 0; j < mesh.cells_across; ++j) {
       double u = 0, v = 0, w = 0;
       in >> u >> v >> w;
-      flux += u * (graded_edge(j + 1, mesh.cells_across, mesh_grading::inlet) -
-                   graded_edge(j, mesh.cells_across, mesh_grading::inlet)) *
+      flux += u *
+              (graded_edge(j + 1, mesh.cells_across, mesh_grading::inlet) -
+               graded_edge(j, mesh.cells_across, mesh_grading::inlet)) *
               (graded_edge(k + 1, mesh.cells_high, mesh_grading::height) -
                graded_edge(k, mesh.cells_high, mesh_grading::height));
     }

@@ -15,17 +15,22 @@ using testing::HasSubstr;
 
 constexpr const char* solver_log =
     "| \\\\  /  | Version:  v2312\n"
-    "smoothSolver:  Solving for Ux, Initial residual = 0.5, Final residual = 1e-3, No Iterations 1\n"
-    "smoothSolver:  Solving for Ux, Initial residual = 5.1e-06, Final residual = 1e-8, No Iterations 1\n"
-    "smoothSolver:  Solving for Uy, Initial residual = 6.7e-06, Final residual = 1e-8, No Iterations 1\n"
-    "smoothSolver:  Solving for Uz, Initial residual = 9.9e-06, Final residual = 1e-8, No Iterations 1\n"
+    "smoothSolver:  Solving for Ux, Initial residual = 0.5, Final residual = 1e-3, No Iterations "
+    "1\n"
+    "smoothSolver:  Solving for Ux, Initial residual = 5.1e-06, Final residual = 1e-8, No "
+    "Iterations 1\n"
+    "smoothSolver:  Solving for Uy, Initial residual = 6.7e-06, Final residual = 1e-8, No "
+    "Iterations 1\n"
+    "smoothSolver:  Solving for Uz, Initial residual = 9.9e-06, Final residual = 1e-8, No "
+    "Iterations 1\n"
     "GAMG:  Solving for p, Initial residual = 7.7e-06, Final residual = 1e-8, No Iterations 1\n"
     "SIMPLE solution converged in 164 iterations\n";
 
 void write_logs(const std::filesystem::path& folder) {
   write_file(folder / "log.simpleFoam", solver_log);
-  write_file(folder / "log.checkMesh", "Mesh stats\n    cells:            46560\n"
-                                       "    Mesh non-orthogonality Max: 29.5 average: 10.8\nMesh OK.\n");
+  write_file(folder / "log.checkMesh",
+             "Mesh stats\n    cells:            46560\n"
+             "    Mesh non-orthogonality Max: 29.5 average: 10.8\nMesh OK.\n");
   write_file(folder / "fluxes", "inlet 5e-11\noutlet 5.0001e-11\n");
 }
 

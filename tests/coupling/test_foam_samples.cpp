@@ -14,7 +14,8 @@ namespace {
 using testing::HasSubstr;
 
 FlowLattice small_lattice() {
-  return {.spacing = 1e-5, .x_begin = -3, .x_end = 2, .x_sampled = -2, .half_width = 2, .height = 4};
+  return {
+      .spacing = 1e-5, .x_begin = -3, .x_end = 2, .x_sampled = -2, .half_width = 2, .height = 4};
 }
 
 std::string refusal_of(const std::string& text) {
@@ -26,7 +27,8 @@ std::string refusal_of(const std::string& text) {
 TEST(FoamSamples, ReadsPointsByTheirCoordinates) {
   const ScratchFolder scratch;
   const auto file = scratch.path() / "quarter_U.xy";
-  write_file(file, "# x y z Ux Uy Uz\n5e-06\t5e-06 1.5e-05 0.02 -1e-3 3e-4\n-1.5e-5 1.5e-5 5e-06 1 2 3\n");
+  write_file(
+      file, "# x y z Ux Uy Uz\n5e-06\t5e-06 1.5e-05 0.02 -1e-3 3e-4\n-1.5e-5 1.5e-5 5e-06 1 2 3\n");
   const FoamSamples samples = read_foam_samples(file, small_lattice());
   EXPECT_THAT(samples.points, testing::ElementsAre(4, 2, 2));
   const std::size_t at = samples.index(2, 0, 1);
@@ -38,22 +40,26 @@ TEST(FoamSamples, ReadsPointsByTheirCoordinates) {
 
 TEST(FoamSamples, RefusesDamagedFilesByLine) {
   const std::string good = "5e-06 5e-06 5e-06 1 2 3\n";
-  EXPECT_THAT(refusal_of(good + "5e-06 5e-06 1.5e-05 1 2\n"), HasSubstr("quarter_U.xy:2: \"5e-06 5e-06 1.5e-05 1 2\""));
+  EXPECT_THAT(refusal_of(good + "5e-06 5e-06 1.5e-05 1 2\n"),
+              HasSubstr("quarter_U.xy:2: \"5e-06 5e-06 1.5e-05 1 2\""));
   EXPECT_THAT(refusal_of(good + "5e-06 5e-06 1.5e"), HasSubstr("ends inside a line (cut short)"));
   EXPECT_THAT(refusal_of("5e-06 5e-06 5e-06 1 nan 3\n"), HasSubstr("expected six finite numbers"));
   EXPECT_THAT(refusal_of("5e-06 5e-06 5e-06 1 x 3\n"), HasSubstr("expected six finite numbers"));
   EXPECT_THAT(refusal_of("5e-06 5e-06 5e-06 1 2 3 4\n"), HasSubstr("more than six numbers"));
   EXPECT_THAT(refusal_of(good + good), HasSubstr("the point is given twice"));
-  EXPECT_THAT(refusal_of("5e-06 6e-06 5e-06 1 2 3\n"), HasSubstr("not on the grid of the scene (samples of another case?)"));
+  EXPECT_THAT(refusal_of("5e-06 6e-06 5e-06 1 2 3\n"),
+              HasSubstr("not on the grid of the scene (samples of another case?)"));
   EXPECT_THAT(refusal_of("5e-03 5e-06 5e-06 1 2 3\n"), HasSubstr("not on the grid of the scene"));
 }
 
 TEST(FoamSamples, NamesTheFileThatIsMissing) {
   const ScratchFolder scratch;
-  EXPECT_THAT(refusal([&] { foam_samples_file(scratch.path()); }), HasSubstr("quarter_U.xy is missing"));
+  EXPECT_THAT(refusal([&] { foam_samples_file(scratch.path()); }),
+              HasSubstr("quarter_U.xy is missing"));
 }
 
-// Samples whose velocity is (1 + x, y, z - height/2) in units of 100 um: the mirror images continue it.
+// Samples whose velocity is (1 + x, y, z - height/2) in units of 100 um: the mirror images continue
+// it.
 FoamSamples linear_samples(const Scene& scene, const FlowLattice& lattice) {
   FoamSamples samples;
   samples.points = lattice.quarter();

@@ -65,9 +65,10 @@ TEST_P(CoarseFlow, ConservesMassAndDevelops) {
   EXPECT_GT(grid.provenance["grid_flux"].size(), 4u);
   EXPECT_LT(grid.provenance["residuals"]["p"], 1e-5);
 
-  // Before the mesh the series itself; inside it what 16 cells across the neck allow: linear interpolation
-  // over a cell of 1/16 is off by 28/8/16^2 = 0.014 in each direction, and most beside the side walls,
-  // where the cells of the wide channel are coarser than the layer in which the velocity rises.
+  // Before the mesh the series itself; inside it what 16 cells across the neck allow: linear
+  // interpolation over a cell of 1/16 is off by 28/8/16^2 = 0.014 in each direction, and most
+  // beside the side walls, where the cells of the wide channel are coarser than the layer in which
+  // the velocity rises.
   const DuctFlow wide(shape.wide, shape.neck_height), neck(shape.neck_width, shape.neck_height);
   EXPECT_LT(distance(grid, 3, wide, 5e-3), 1e-5);
   EXPECT_LT(distance(grid, plane(grid, -5.5e-4), wide, 5e-3), 0.15);
@@ -116,9 +117,15 @@ TEST(FlowCase, SaysInOneLineWhyItStopped) {
     EXPECT_THAT(run.output, HasSubstr(message));
     EXPECT_FALSE(fs::exists(folder / "solved"));
   };
-  ASSERT_EQ(shell("sed -i 's/^endTime .*/endTime 5;/' '" + (folder / "system/controlDict").string() + "'").status, 0);
+  ASSERT_EQ(
+      shell("sed -i 's/^endTime .*/endTime 5;/' '" + (folder / "system/controlDict").string() + "'")
+          .status,
+      0);
   failure("not converged after 5 iterations");
-  ASSERT_EQ(shell("sed -i 's/^cellsHigh .*/cellsHigh 0;/' '" + (folder / "system/sceneDict").string() + "'").status, 0);
+  ASSERT_EQ(shell("sed -i 's/^cellsHigh .*/cellsHigh 0;/' '" +
+                  (folder / "system/sceneDict").string() + "'")
+                .status,
+            0);
   failure("failed; see log.");
   fs::remove(folder / "system/sceneDict");
   failure("write a case: clog case SCENE DIR");

@@ -20,9 +20,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double neck_width = 1e-4;   // [m]
-constexpr double neck_mean = 20e-3;   // [m/s]
-constexpr double density = 1062;      // [kg/m3]
+constexpr double neck_width = 1e-4;  // [m]
+constexpr double neck_mean = 20e-3;  // [m/s]
+constexpr double density = 1062;     // [kg/m3]
 
 struct ReferencePoint {
   Vec3 place, velocity;  // [m], [m/s]; Navier-Stokes
@@ -38,7 +38,8 @@ std::vector<ReferencePoint> reference_points() {
     std::istringstream numbers(line);
     double value[9];
     for (double& v : value) numbers >> v;
-    points.push_back({neck_width * Vec3(value[0], value[1], value[2]), {value[6], value[7], value[8]}});
+    points.push_back(
+        {neck_width * Vec3(value[0], value[1], value[2]), {value[6], value[7], value[8]}});
   }
   return points;
 }
@@ -57,11 +58,14 @@ Deviation deviation(const std::vector<ReferencePoint>& points, const Velocity& v
     result.largest = std::max(result.largest, error);
   }
   result.rms = std::sqrt(result.rms);
-  fmt::print("rms {:.3f} %, largest {:.3f} % of the neck mean\n", 100 * result.rms, 100 * result.largest);
+  fmt::print("rms {:.3f} %, largest {:.3f} % of the neck mean\n", 100 * result.rms,
+             100 * result.largest);
   return result;
 }
 
-Vec3 quarter(const Vec3& x) { return {x.x(), std::abs(x.y()), std::min(x.z(), neck_width - x.z())}; }
+Vec3 quarter(const Vec3& x) {
+  return {x.x(), std::abs(x.y()), std::min(x.z(), neck_width - x.z())};
+}
 
 // One solution for all tests of this program.
 class FlowReference : public testing::Test {
@@ -77,18 +81,22 @@ protected:
   void SetUp() override { ASSERT_EQ(run.status, 0) << run.output; }
 
   // Values of a field at points of the quarter, by OpenFOAM's own interpolation.
-  static std::vector<std::vector<double>> sampled(const std::string& field, const std::vector<Vec3>& places) {
+  static std::vector<std::vector<double>> sampled(const std::string& field,
+                                                  const std::vector<Vec3>& places) {
     std::string list;
     for (const Vec3& x : places) list += fmt::format("({} {} {})\n", x.x(), x.y(), x.z());
     write_file(folder / "system" / "checkDict",
                "FoamFile { version 2.0; format ascii; class dictionary; object checkDict; }\n"
-               "functions { check { type sets; libs (sampling); setFormat raw; fields (" + field +
-                   "); interpolationScheme cellPointFace; sets ( points { type cloud; axis xyz; points (\n" +
+               "functions { check { type sets; libs (sampling); setFormat raw; fields (" +
+                   field +
+                   "); interpolationScheme cellPointFace; sets ( points { type cloud; axis xyz; "
+                   "points (\n" +
                    list + "); } ); } }\n");
-    const ShellResult post =
-        shell("cd '" + folder.string() + "' && WM_PROJECT_DIR=${WM_PROJECT_DIR:-/usr/share/openfoam} "
-              "postProcess -latestTime -dict system/checkDict -fields '(" + field + ")'" +
-              " && mv postProcessing/check/*/points_" + field + ".xy check_" + field);
+    const ShellResult post = shell("cd '" + folder.string() +
+                                   "' && WM_PROJECT_DIR=${WM_PROJECT_DIR:-/usr/share/openfoam} "
+                                   "postProcess -latestTime -dict system/checkDict -fields '(" +
+                                   field + ")'" + " && mv postProcessing/check/*/points_" + field +
+                                   ".xy check_" + field);
     EXPECT_EQ(post.status, 0) << post.output;
     std::istringstream in(read_text_file(folder / ("check_" + field)));
     std::vector<std::vector<double>> rows;
@@ -134,7 +142,8 @@ TEST_F(FlowReference, VelocityThroughTheGrid) {
   const Deviation smooth = through(Lookup::trilinear);
   EXPECT_LT(smooth.rms, 0.003);
   EXPECT_LT(smooth.largest, 0.02);
-  // The nearest point is up to half a spacing away: half of 2.5 um times 6 to 8 neck means per neck width.
+  // The nearest point is up to half a spacing away: half of 2.5 um times 6 to 8 neck means per neck
+  // width.
   const Deviation nearest = through(Lookup::nearest);
   EXPECT_LT(nearest.rms, 0.025);
   EXPECT_LT(nearest.largest, 0.1);
