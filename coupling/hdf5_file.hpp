@@ -108,8 +108,4 @@ private:
 /// \throws Error if it is no HDF5 file, truncated, or not one of ours
 FileFormat file_format(const std::filesystem::path& file);
 
-/// Moves a complete temporary file to its final name so that it survives a power cut.
-/// \throws Error naming the file
-void publish_file(const std::filesystem::path& part, const std::filesystem::path& file);
-
 }  // namespace clog

@@ -13,8 +13,11 @@ namespace clog {
 static_assert(std::is_same_v<hid_t, std::int64_t>,
               "Hdf5Handle stores identifiers as 64-bit integers");
 
-/// The library prints its own error stack by default; our messages replace it.
+/// The library prints its own error stack by default; our messages replace it. Its clean-up at exit
+/// is off too: handles close everything, and after a close that failed on a full disk it crashes.
 inline void silence_hdf5() {
+  static const bool kept_after_exit = H5dont_atexit() >= 0;
+  static_cast<void>(kept_after_exit);
   H5open();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }

@@ -1,12 +1,10 @@
 // Writing: checksummed metadata and data, compressed where it pays, renamed only when whole.
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <numeric>
 #include <system_error>
 
 #include "coupling/hdf5_library.hpp"
+#include "coupling/publish_file.hpp"
 #include "coupling/require.hpp"
 
 namespace clog {
@@ -51,26 +49,12 @@ Hdf5Handle text_type(const std::string& text) {
 
 std::string padded(const std::string& text) { return text.empty() ? std::string(1, '\0') : text; }
 
-bool sync_path(const std::filesystem::path& path) {
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) return false;
-  const bool done = ::fsync(descriptor) == 0;
-  ::close(descriptor);
-  return done;
-}
-
 }  // namespace
 
-void publish_file(const std::filesystem::path& part, const std::filesystem::path& file) {
-  require(sync_path(part), "{} (cannot be written: disk full or not writable?)", file.string());
-  std::error_code failure;
-  std::filesystem::rename(part, file, failure);
-  require(!failure, "{} (cannot be renamed from {}: {})", file.string(), part.string(),
-          failure.message());
-  const std::filesystem::path folder = file.parent_path();
-  sync_path(folder.empty() ? "."
-                           : folder);  // some file systems refuse this; the file is whole anyway
-}
+#if defined(__SANITIZE_ADDRESS__)
+// What the library keeps until the end of the program is no leak of ours.
+extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5"; }
+#endif
 
 Hdf5Writer::Hdf5Writer(const std::filesystem::path& file, const FileFormat& format)
     : file_(file), part_(file.string() + ".part") {
@@ -167,7 +151,7 @@ void Hdf5Writer::finish() {
     std::filesystem::remove(part_, ignored);
     throw Error(fmt::format("{} (cannot be written: disk full?)", file_.string()));
   }
-  publish_file(part_, file_);
+  rename_whole_file(part_, file_);
 }
 
 template void Hdf5Writer::write(const std::string&, const std::vector<double>&,

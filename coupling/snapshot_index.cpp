@@ -1,10 +1,9 @@
 // XDMF 2 with one hyperslab a quantity and snapshot: (start, stride, count) of rows of the array.
 #include "coupling/snapshot_index.hpp"
 
-#include <fstream>
+#include <fmt/format.h>
 
-#include "coupling/hdf5_file.hpp"
-#include "coupling/require.hpp"
+#include "coupling/publish_file.hpp"
 
 namespace clog {
 namespace {
@@ -82,13 +81,7 @@ void write_snapshot_index(const RunData& run, const std::filesystem::path& run_f
     first += snapshot.id.size();
   }
   text += "</Grid>\n</Domain></Xdmf>\n";
-
-  const std::filesystem::path part = index.string() + ".part";
-  std::ofstream stream(part, std::ios::binary);
-  stream << text;
-  stream.close();
-  require(stream.good(), "{} (cannot be written: disk full or not writable?)", index.string());
-  publish_file(part, index);
+  publish_file(text, index);
 }
 
 }  // namespace clog
