@@ -1,5 +1,7 @@
 // clog run: the particles, for every seed asked for.
 
+#include <atomic>
+#include <csignal>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -15,6 +17,10 @@
 
 namespace clog::cli {
 namespace {
+
+/// Set by SIGTERM and SIGINT: the runs save their states and end. A lock-free atomic is all that a signal
+/// handler may touch.
+std::atomic<bool> stop_asked = false;
 
 struct RunOptions {
   std::filesystem::path scene, flow, out;
@@ -60,19 +66,25 @@ Prepared prepare_together(const RunOptions& options, Ranks& ranks) {
 void run(const RunOptions& options) {
   Ranks ranks;
   const Prepared prepared = prepare_together(options, ranks);
-  const Ensemble ensemble{prepared.scene, prepared.flow ? &*prepared.flow : nullptr, options.out};
+  std::signal(SIGTERM, [](int) { stop_asked = true; });
+  std::signal(SIGINT, [](int) { stop_asked = true; });
+  const Ensemble ensemble{prepared.scene, prepared.flow ? &*prepared.flow : nullptr, options.out,
+                          &stop_asked};
   ProgressLine line(ranks.rank() == 0 && isatty(STDERR_FILENO));
-  const int failed = run_ensemble(
+  const EnsembleResult result = run_ensemble(
       ensemble, ranks, [&](const Progress& progress) { line.show(progress); },
       [&](const SeedReport& report) {
         line.clear();
-        fmt::print(report.failed ? stderr : stdout, "{}seed {}: {}\n", report.failed ? "clog: " : "",
-                   report.seed, report.line);
+        const bool aside = report.failed || report.note;
+        fmt::print(aside ? stderr : stdout, "{}seed {}: {}\n", aside ? "clog: " : "", report.seed,
+                   report.line);
         std::fflush(stdout);
       });
-  require(failed == 0 || ranks.rank() != 0, "{} of {} seeds failed; the others are in {}", failed,
-          prepared.scene.ensemble.seeds.size(), options.out.string());
-  if (failed > 0) throw Error("");
+  if (result.failed == 0) return;
+  throw Error(ranks.rank() != 0 ? ""
+                                : fmt::format("{} of {} seeds failed; the others are in {}", result.failed,
+                                              prepared.scene.ensemble.seeds.size(),
+                                              options.out.string()));
 }
 
 }  // namespace

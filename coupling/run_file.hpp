@@ -60,8 +60,25 @@ struct RunData {
     std::vector<double> spin;            ///< [rad/s]
     std::vector<double> force;           ///< of all kinds [N]
     std::vector<double> torque;          ///< [N m]
+
+    template <class Archive>
+    void exchange(Archive& archive) {
+      archive(time, id, radius, position, velocity, spin, force, torque);
+    }
   };
   std::vector<Snapshot> snapshots;
+
+  /// For a checkpoint, see coupling/archive.hpp.
+  template <class Archive>
+  void exchange(Archive& archive) {
+    archive(seed, scene_text, provenance, end_time);
+    archive(passages.time, passages.id, passages.y, passages.z, passages.friction_off);
+    archive(releases.off, releases.on, releases.largest_speed, releases.position);
+    auto& s = series;
+    archive(s.time, s.count, s.porosity, s.packing_fraction, s.kinetic_energy, s.elastic_energy,
+            s.largest_overlap, s.contacts, s.wall_contacts, s.drag_work, s.dissipated, s.median_speed,
+            s.speed_q99, snapshots);
+  }
 };
 
 /// Writes beside, flushes, renames; an XDMF file for the snapshots beside it. \throws Error

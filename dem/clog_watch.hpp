@@ -52,6 +52,11 @@ public:
   /// Below this speed a particle counts as at rest [m/s]
   double rest_speed() const { return rest_speed_; }
 
+  template <class Archive>
+  void exchange(Archive& archive) {
+    archive(last_event_, next_look_, off_since_, friction_off_);
+  }
+
 private:
   bool enabled_;
   double after_, duration_, look_interval_, rest_speed_;

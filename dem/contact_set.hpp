@@ -29,6 +29,12 @@ public:
 
   ContactPointers pointers();
 
+  template <class Archive>
+  void exchange(Archive& archive) {
+    for (auto& values : spring_) archive(values);
+    archive(candidate_, position_, count_);
+  }
+
 private:
   std::array<std::vector<double>, 7> spring_;  // padded to whole vectors
   std::vector<int> candidate_, position_;

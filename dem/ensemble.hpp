@@ -1,6 +1,7 @@
 // Many seeds of one scene, handed out to the ranks of an MPI job as they become free.
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -17,6 +18,7 @@ struct Ensemble {
   Scene scene;
   const FlowGrid* flow;
   std::filesystem::path directory;
+  const std::atomic<bool>* stop = nullptr;  ///< when true: save the state and end
 };
 
 /// Told of every seed: its number, what happened.
@@ -24,11 +26,18 @@ struct SeedReport {
   std::uint64_t seed;
   std::string line;  ///< one line for a person
   bool failed;
+  bool note = false;  ///< something on the way; the seed goes on
 };
 
-/// Runs the seeds that have no run file yet. A seed that fails is reported and does not stop the rest.
-/// \return number of seeds that failed, over all ranks
-int run_ensemble(const Ensemble& ensemble, Ranks& ranks, const Watcher& watcher,
+struct EnsembleResult {
+  int failed = 0;   ///< seeds
+  int stopped = 0;  ///< seeds that were asked to stop; their states are saved
+};
+
+/// Runs the seeds that have no run file yet, each from its saved state if there is one. A seed that fails
+/// is reported and does not stop the rest. States are saved every output.checkpoint_interval.
+/// \return the sums over all ranks
+EnsembleResult run_ensemble(const Ensemble& ensemble, Ranks& ranks, const Watcher& watcher,
                  const std::function<void(const SeedReport&)>& report);
 
 }  // namespace clog

@@ -34,6 +34,11 @@ public:
   const FlowField& field() const { return field_; }
   const PorosityStrips& strips() const { return strips_; }
 
+  template <class Archive>
+  void exchange(Archive& archive) {
+    archive(strips_);
+  }
+
 private:
   FlowField field_;
   PorosityStrips strips_;

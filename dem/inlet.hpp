@@ -33,6 +33,11 @@ public:
   std::int64_t inserted() const { return next_id_; }
   std::int64_t refused() const { return refused_; }  ///< attempts that found no room
 
+  template <class Archive>
+  void exchange(Archive& archive) {
+    archive(next_id_, refused_, fed_);
+  }
+
 private:
   const Model* model_;
   bool enabled_;

@@ -30,6 +30,11 @@ public:
   std::vector<int> far_first, far_second;
   ContactSet contacts;
   std::vector<int> scratch_lubricated;
+
+  template <class Archive>
+  void exchange(Archive& archive) {
+    archive(first, second, far_first, far_second, contacts, scratch_lubricated);
+  }
 };
 
 }  // namespace clog

@@ -31,6 +31,12 @@ struct Particles {
   std::vector<std::uint8_t> passed;   ///< 1 once the passage plane was crossed
 
   std::size_t size() const { return id.size(); }
+
+  template <class Archive>
+  void exchange(Archive& archive) {
+    archive(id, radius, mass, inertia, x, y, z, vx, vy, vz, wx, wy, wz, fx, fy, fz, tx, ty, tz, passed);
+  }
+
   void add(const Particle& particle);
 
   /// Takes the particles in the given order; those not named are dropped.

@@ -30,6 +30,11 @@ public:
   /// Solid volume over volume, all strips together [-].
   double packing_fraction() const;
 
+  template <class Archive>
+  void exchange(Archive& archive) {
+    archive(porosity_);
+  }
+
 private:
   double start_ = 0, length_ = 1;  // of the first edge, of a strip [m]
   std::vector<double> volume_;     // [m3]

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <random>
+#include <sstream>
+#include <string>
 
 namespace clog {
 
@@ -19,7 +21,14 @@ public:
     return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;
   }
 
-  std::mt19937_64& engine() { return engine_; }
+  template <class Archive>
+  void exchange(Archive& archive) {
+    std::ostringstream out;
+    out << engine_;
+    std::string text = out.str();
+    archive(text);
+    std::istringstream(text) >> engine_;
+  }
 
 private:
   std::mt19937_64 engine_;

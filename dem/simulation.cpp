@@ -1,10 +1,10 @@
 #include "dem/simulation.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numeric>
 
+#include "coupling/archive.hpp"
 #include "coupling/require.hpp"
 #include "dem/initial_particles.hpp"
 #include "dem/quantile.hpp"
@@ -65,81 +65,118 @@ Simulation::Simulation(const Scene& scene, const FlowGrid* flow, std::uint64_t s
 }
 
 RunData Simulation::run(const Watcher& watcher) {
-  const auto begin = std::chrono::steady_clock::now();
-  if (inlet_.enabled() && model_.scene.inlet.start == InletStart::filled) fill(watcher);
-  recording_ = true;
+  clock_ = Clock::now();
+  fill(watcher);
   while (step_ < model_.steps) {
-    compute_forces();
-    record();
     if (watcher && step_ % watch_every == 0)
       watcher({time(), model_.scene.time.end, step_, particle_steps_, particles_.size(),
                data_.passages.time.size(),
                data_.passages.time.empty() ||
                    time() - data_.passages.time.back() > model_.scene.stokes_time() / 2,
                false});
+    compute_forces();
+    record();
     advance();
   }
   compute_forces();
   record();
   sample_snapshot();
-  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
-  finish(spent.count());
+  finish();
   return std::move(data_);
 }
 
 void Simulation::fill(const Watcher& watcher) {
+  if (filling_.stage == Filling::Stage::before) begin_filling();
+  const double tap_time = tap_duration * model_.scene.stokes_time();
+  while (filling_.stage != Filling::Stage::done) {
+    if (watcher && step_ % watch_every == 0)
+      watcher({-time(), model_.scene.time.end, step_, particle_steps_, particles_.size(), 0, false,
+               true});
+    const std::int64_t before = inlet_.inserted();
+    compute_forces();
+    advance();
+    if (inlet_.inserted() != before) filling_.last_insertion = time();
+    if (filling_.stage == Filling::Stage::tap && time() >= filling_.stage_began + tap_time) {
+      set_friction(true);
+      enter_filling(Filling::Stage::settle);
+    } else if (filling_.stage == Filling::Stage::settle && settled()) {
+      // Each tap lets the pack close its loosest arches; the channel then fills up again.
+      if (filling_.taps++ < model_.scene.inlet.taps) {
+        set_friction(false);
+        enter_filling(Filling::Stage::tap);
+      } else {
+        open_gate();
+      }
+    }
+  }
+}
+
+void Simulation::begin_filling() {
+  if (!inlet_.enabled() || model_.scene.inlet.start != InletStart::filled) {
+    filling_.stage = Filling::Stage::done;
+    return;
+  }
+  inlet_.scatter(particles_, random_);
+  set_walls(true);
+  enter_filling(Filling::Stage::settle);
+}
+
+void Simulation::enter_filling(Filling::Stage stage) {
+  filling_.stage = stage;
+  filling_.stage_began = filling_.last_insertion = time();
+  filling_.next_look = time() + full_after * model_.scene.stokes_time();
+}
+
+bool Simulation::settled() {
   const Scene& s = model_.scene;
   const double tau = s.stokes_time();
   const double bound =
       std::max(100 * tau, longest_fill * s.geometry.channel_length / s.flow.mean_velocity);
-  inlet_.scatter(particles_, random_);
-  Walls closed = model_.walls;
-  closed.insert(closed.end(), model_.gate.begin(), model_.gate.end());
-  const double radius = largest_radius(model_, particles_);
-  walls_.change(closed, radius, particles_);
-  lists_stale_ = true;
-  // Each tap lets the pack close its loosest arches; the channel then fills up again.
-  bool at_rest = fill_until_rest(bound, watcher);
-  for (int tap = 0; tap < s.inlet.taps; ++tap) {
-    const double end = time() + tap_duration * tau;
-    set_friction(false);
-    while (time() < end) step_filling(watcher);
-    set_friction(true);
-    at_rest = fill_until_rest(time() + bound, watcher);
-  }
-  fill_time_ = time();
-  data_.provenance["fill_at_rest"] = at_rest;
-  walls_.change(model_.walls, radius, particles_);
-  lists_stale_ = true;
+  filling_.at_rest = false;
+  if (time() > filling_.stage_began + bound) return true;
+  if (time() < filling_.next_look) return false;
+  filling_.next_look = time() + 0.1 * tau;
+  filling_.at_rest = time() - filling_.last_insertion > full_after * tau &&
+                     clog_state(particles_, s).quantile_speed < watch_.rest_speed();
+  return filling_.at_rest;
+}
+
+void Simulation::open_gate() {
+  filling_.stage = Filling::Stage::done;
+  filling_.duration = time();
+  set_walls(false);
   step_ = 0;
   next_insertion_ = next_porosity_ = 0;
   inlet_.restart_clock();
   drag_work_ = body_work_ = 0;
-  watch_ = ClogWatch(s);
+  watch_ = ClogWatch(model_.scene);
 }
 
-bool Simulation::fill_until_rest(double bound, const Watcher& watcher) {
-  const double tau = model_.scene.stokes_time();
-  double last_insertion = time(), next_look = time() + full_after * tau;
-  while (time() < bound) {
-    const std::int64_t before = inlet_.inserted();
-    step_filling(watcher);
-    if (inlet_.inserted() != before) last_insertion = time();
-    if (time() < next_look) continue;
-    next_look = time() + 0.1 * tau;
-    if (time() - last_insertion > full_after * tau &&
-        clog_state(particles_, model_.scene).quantile_speed < watch_.rest_speed())
-      return true;
-  }
-  return false;
+void Simulation::set_walls(bool gate_closed) {
+  gate_closed_ = gate_closed;
+  Walls walls = model_.walls;
+  if (gate_closed) walls.insert(walls.end(), model_.gate.begin(), model_.gate.end());
+  walls_.change(walls, largest_radius(model_, particles_), particles_);
+  lists_stale_ = true;
 }
 
-void Simulation::step_filling(const Watcher& watcher) {
-  compute_forces();
-  if (watcher && step_ % watch_every == 0)
-    watcher({-time(), model_.scene.time.end, step_, particle_steps_, particles_.size(), 0, false,
-             true});
-  advance();
+void Simulation::count_seconds() {
+  const std::chrono::duration<double> since = Clock::now() - clock_;
+  seconds_ += since.count();
+  clock_ = Clock::now();
+}
+
+std::string Simulation::save() {
+  count_seconds();
+  ArchiveWriter archive;
+  exchange(archive);
+  return archive.bytes();
+}
+
+void Simulation::resume(const std::string& state) {
+  ArchiveReader archive(state);
+  exchange(archive);
+  require(archive.at_end(), "a saved state is longer than it should be");
 }
 
 void Simulation::compute_forces() {
@@ -191,7 +228,7 @@ void Simulation::advance() {
   body_work_ += tally.body_work;
   particle_steps_ += static_cast<double>(particles_.size());
   ++step_;
-  if (recording_) find_passages();
+  if (filling_.stage == Filling::Stage::done) find_passages();
 }
 
 void Simulation::check(const AdvanceTally& tally) const {

@@ -1,6 +1,7 @@
 // One run: the state of one seed and its steps.
 #pragma once
 
+#include <chrono>
 #include <functional>
 
 #include "coupling/run_file.hpp"
@@ -40,6 +41,12 @@ public:
   /// Runs to the end. \throws Error if it blows up or loses a particle
   RunData run(const Watcher& watcher = {});
 
+  /// Everything that the next step depends on, and all that was recorded, as bytes; between two steps
+  /// only, that is from a watcher. A simulation of the same scene and seed that resumes from it goes on
+  /// with the same bits.
+  std::string save();
+  void resume(const std::string& state);
+
   /// The loop of run(), in pieces, for tests and studies.
   void fill(const Watcher& watcher);  ///< packs the channel against the gate, then opens it
   void compute_forces();              ///< F_n of the present positions
@@ -55,8 +62,21 @@ public:
   const ContactTally& wall_tally() const { return wall_tally_; }
 
 private:
-  bool fill_until_rest(double bound, const Watcher& watcher);
-  void step_filling(const Watcher& watcher);
+  /// A filled start: the pack settles against the gate, is tapped, settles again ... until it opens.
+  struct Filling {
+    enum class Stage { before, settle, tap, done };
+    Stage stage = Stage::before;
+    int taps = 0;                                               ///< done
+    double stage_began = 0, last_insertion = 0, next_look = 0;  ///< [s]
+    double duration = 0;                                        ///< of the whole filling [s]
+    bool at_rest = true;                                        ///< when the gate opened
+  };
+
+  void begin_filling();
+  void enter_filling(Filling::Stage stage);
+  bool settled();
+  void open_gate();
+  void set_walls(bool gate_closed);
   void feed_inlet(double time);
   void take_out();
   void rebuild_lists();
@@ -69,7 +89,17 @@ private:
   Vector<double> velocity_now(int i) const;  ///< at the time of the positions
   Vector<double> spin_now(int i) const;
   Vector<double> total_force(int i) const;
-  void finish(double seconds);
+  void count_seconds();
+  void finish();
+
+  template <class Archive>
+  void exchange(Archive& archive) {
+    archive(gate_closed_);
+    if (Archive::loading && gate_closed_) set_walls(true);
+    archive(random_, inlet_, watch_, particles_, neighbours_, walls_, fluid_, pair_law_, wall_law_,
+            data_, step_, kick_, drifted_, lists_stale_, next_insertion_, next_porosity_, next_series_,
+            next_snapshot_, particle_steps_, drag_work_, body_work_, energy_in_, filling_, seconds_);
+  }
 
   Model model_;
   Fluid fluid_;
@@ -88,12 +118,15 @@ private:
   double kick_ = 0;            // dt, or dt/2 in the very first step: the velocities given are at x_0
   double drifted_ = 0;         // bound on any particle's way since the lists were made [m]
   bool lists_stale_ = true;
-  bool recording_ = false;     // false while the channel is filled
   double next_insertion_ = 0, next_porosity_ = 0, next_series_ = 0, next_snapshot_ = 0;
   double particle_steps_ = 0;
   double drag_work_ = 0, body_work_ = 0;
   double energy_in_ = 0;       // kinetic and elastic energy at the start, and of what came and went [J]
-  double fill_time_ = 0;
+  Filling filling_;
+  bool gate_closed_ = false;
+  using Clock = std::chrono::steady_clock;
+  double seconds_ = 0;         // of wall-clock time spent before clock_ [s]
+  Clock::time_point clock_ = Clock::now();
 };
 
 }  // namespace clog

@@ -128,7 +128,8 @@ void Simulation::sample_snapshot() {
   data_.snapshots.push_back(std::move(snapshot));
 }
 
-void Simulation::finish(double seconds) {
+void Simulation::finish() {
+  count_seconds();
   char host[256] = "unknown";
   gethostname(host, sizeof host - 1);
   auto& p = data_.provenance;
@@ -138,12 +139,13 @@ void Simulation::finish(double seconds) {
   p["compiler"] = __VERSION__;
   p["instruction_set"] = kernels_.name;
   p["host"] = host;
-  p["wall_time_s"] = seconds;
+  p["wall_time_s"] = seconds_;
   p["particle_steps"] = particle_steps_;
-  p["particle_steps_per_s"] = seconds > 0 ? particle_steps_ / seconds : 0;
+  p["particle_steps_per_s"] = seconds_ > 0 ? particle_steps_ / seconds_ : 0;
   p["time_step_s"] = model_.dt;
   p["contact_time_s"] = model_.contact_time;
-  p["fill_time_s"] = fill_time_;
+  p["fill_time_s"] = filling_.duration;
+  p["fill_at_rest"] = filling_.at_rest;
   p["inserted"] = inlet_.inserted();
   p["insertions_refused"] = inlet_.refused();
   if (model_.pair_law.torsion_memory != 1)

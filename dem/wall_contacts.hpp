@@ -55,13 +55,29 @@ public:
     Vec3 normal;
     double overlap;  ///< [m]
     Springs<double> springs;
+
+    template <class Archive>
+    void exchange(Archive& archive) {
+      archive(particle, point, normal, overlap, springs);
+    }
   };
   std::vector<Touch> touches(const Particles& particles) const;
+
+  /// Everything but the surface, which the scene gives.
+  template <class Archive>
+  void exchange(Archive& archive) {
+    archive(particle_, nx_, ny_, nz_, offset_, contacts_, scratch_lubricated_, corners_, corner_touches_);
+  }
 
 private:
   struct Corner {
     int particle;
     std::vector<int> triangles;
+
+    template <class Archive>
+    void exchange(Archive& archive) {
+      archive(particle, triangles);
+    }
   };
 
   WallSurface surface_;
