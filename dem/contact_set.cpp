@@ -32,6 +32,6 @@ ContactPointers ContactSet::pointers() {
   return pointers;
 }
 
-Springs<double> swapped(const Springs<double>& s) { return {-s.sliding, -s.rolling, s.torsion}; }
+Springs<double> swapped(const Springs<double>& s) { return {-s.sliding, s.rolling, s.torsion}; }
 
 }  // namespace clog

@@ -41,8 +41,8 @@ private:
   std::size_t count_ = 0;
 };
 
-/// The same springs seen from the other particle: normal, sliding and rolling velocity change sign,
-/// the component along the normal does not.
+/// The same springs seen from the other particle: the normal and the sliding velocity change sign; the
+/// rolling velocity -R* n x (w_i - w_j) and n . (w_i - w_j) do not, for both factors do.
 Springs<double> swapped(const Springs<double>& springs);
 
 }  // namespace clog
