@@ -1,0 +1,33 @@
+// The paper's channel with a made-up flow, cheap: heavy particles, a large step.
+#pragma once
+
+#include "tests/dem/laboratory.hpp"
+#include "tests/dem/synthetic_flow.hpp"
+
+namespace clog::test {
+
+/// The shipped scene with the numerics that cost a fifth: mass x 10, moment of inertia x 5 more, twice
+/// the step.
+inline Scene cheap_paper_scene(Overrides overrides = {}) {
+  overrides.insert(overrides.begin(), {"time.mass_scale=10", "time.rotational_inertia_scale=5",
+                                       "time.step_fraction=0.04", "flow.grid_spacing=5 um"});
+  return read_scene(std::filesystem::path(CLOG_SOURCE_DIR) / "scenes" / "paper.toml", overrides);
+}
+
+/// A short channel, for tests that only need particles, walls and an outlet.
+inline Scene short_channel_scene(Overrides overrides = {}) {
+  overrides.insert(overrides.begin(), {"geometry.channel_length=200 um", "inlet.taps=0"});
+  return cheap_paper_scene(overrides);
+}
+
+/// Largest overlap among all pairs, over the diameter; by looking at each.
+inline double deepest_pair(const Particles& p) {
+  double deepest = 0;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    for (std::size_t j = i + 1; j < p.size(); ++j)
+      deepest = std::max(deepest, p.radius[i] + p.radius[j] -
+                                      std::hypot(p.x[i] - p.x[j], p.y[i] - p.y[j], p.z[i] - p.z[j]));
+  return deepest / (2 * p.radius.front());
+}
+
+}  // namespace clog::test

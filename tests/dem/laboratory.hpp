@@ -1,0 +1,126 @@
+// A laboratory for tests: a few spheres, SI numbers, no flow; every step visible.
+#pragma once
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "coupling/require.hpp"
+#include "coupling/scene.hpp"
+#include "dem/simulation.hpp"
+
+namespace clog::test {
+
+/// What a scene of the laboratory cannot do without.
+struct Substance {
+  double youngs_modulus = 48e9;  ///< [Pa]
+  double poisson_ratio = 0.2;    ///< [-]
+  double density = 2800;         ///< [kg/m3]
+  double diameter = 0.02;        ///< [m]
+};
+
+/// A scene without walls, flow or friction, elastic; change its members to taste.
+inline Scene laboratory_scene(const Substance& s, double step) {
+  Scene scene = parse_scene(fmt::format(R"(
+[particles]
+diameter = "{} m"
+density = "{} kg/m3"
+[contact]
+youngs_modulus = "{} Pa"
+poisson_ratio = {}
+[time]
+end = "1 s"
+step = "{} s"
+)", s.diameter, s.density, s.youngs_modulus, s.poisson_ratio, step), "laboratory");
+  scene.contact.restitution = 1;
+  return scene;
+}
+
+inline void set_friction(Scene& scene, const Friction& friction) {
+  scene.contact.friction = scene.contact.wall_friction = friction;
+}
+
+/// A wall z = 0 and far away ones: a box that is `size` wide, above the origin.
+inline void set_floor(Scene& scene, double size) {
+  scene.box.present = true;
+  scene.box.min = {-size / 2, -size / 2, 0};
+  scene.box.max = {size / 2, size / 2, size};
+}
+
+/// A file with the given text, gone with its owner.
+class ScratchFile {
+public:
+  explicit ScratchFile(const std::string& text, const std::string& ending = ".csv") {
+    static int number = 0;
+    path_ = std::filesystem::temp_directory_path() /
+            fmt::format("clogflow_{}_{}{}", getpid(), ++number, ending);
+    std::ofstream(path_, std::ios::binary) << text;
+  }
+  ~ScratchFile() { std::filesystem::remove(path_); }
+  ScratchFile(const ScratchFile&) = delete;
+  ScratchFile& operator=(const ScratchFile&) = delete;
+  std::string name() const { return path_.string(); }
+
+private:
+  std::filesystem::path path_;
+};
+
+inline std::string as_csv(const std::vector<Particle>& particles) {
+  std::string text = "x,y,z,radius,vx,vy,vz,wx,wy,wz\n";
+  for (const Particle& p : particles)
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", p.x, p.y, p.z, p.radius, p.vx, p.vy, p.vz,
+                        p.wx, p.wy, p.wz);
+  return text;
+}
+
+/// A simulation of the given particles; ids count from 0 in their order.
+class Laboratory {
+public:
+  Laboratory(Scene scene, const std::vector<Particle>& particles, const FlowGrid* flow = nullptr)
+      : file_(as_csv(particles)),
+        simulation_((scene.particles.initial = file_.name(), scene), flow, 1) {}
+
+  Simulation& operator*() { return simulation_; }
+  Simulation* operator->() { return &simulation_; }
+
+  void step() {
+    simulation_.compute_forces();
+    simulation_.advance();
+  }
+
+  void run_until(double time) {
+    while (simulation_.time() < time) step();
+  }
+
+  /// Where the particle of this id stands in the arrays: lists sort them in space.
+  std::size_t at(std::int64_t id) const {
+    const auto& ids = simulation_.particles().id;
+    for (std::size_t i = 0; i < ids.size(); ++i)
+      if (ids[i] == id) return i;
+    throw Error("no such particle");
+  }
+
+  Vec3 position(std::int64_t id) const { return get(&Particles::x, &Particles::y, &Particles::z, id); }
+  Vec3 velocity(std::int64_t id) const { return get(&Particles::vx, &Particles::vy, &Particles::vz, id); }
+  Vec3 spin(std::int64_t id) const { return get(&Particles::wx, &Particles::wy, &Particles::wz, id); }
+  Vec3 force(std::int64_t id) const { return get(&Particles::fx, &Particles::fy, &Particles::fz, id); }
+  Vec3 torque(std::int64_t id) const { return get(&Particles::tx, &Particles::ty, &Particles::tz, id); }
+
+private:
+  using Array = std::vector<double> Particles::*;
+  Vec3 get(Array x, Array y, Array z, std::int64_t id) const {
+    const Particles& p = simulation_.particles();
+    const std::size_t i = at(id);
+    return {(p.*x)[i], (p.*y)[i], (p.*z)[i]};
+  }
+
+  ScratchFile file_;
+  Simulation simulation_;
+};
+
+}  // namespace clog::test

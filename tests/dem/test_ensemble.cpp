@@ -1,0 +1,114 @@
+// Ensembles through the program, on 1, 2 and 3 ranks: the same files; finished seeds are skipped.
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include <gmock/gmock.h>
+
+#include "tests/coupling/flow_scene.hpp"
+#include "tests/dem/channel_scene.hpp"
+
+namespace clog::test {
+namespace {
+
+using testing::HasSubstr;
+
+/// Open MPI refuses root unless told, and more ranks than cores unless told.
+std::string mpirun(int ranks) {
+  return fmt::format("mpirun {} --oversubscribe -np {} ", geteuid() == 0 ? "--allow-run-as-root" : "", ranks);
+}
+
+struct Outcome {
+  int status;
+  std::string text;
+};
+
+Outcome shell(const std::string& command, const std::filesystem::path& folder) {
+  const std::string log = (folder / "log").string();
+  const int status = std::system((command + " > " + log + " 2>&1").c_str());
+  std::ostringstream text;
+  text << std::ifstream(log).rdbuf();
+  return {status, text.str()};
+}
+
+class EnsembleFiles : public testing::Test {
+protected:
+  EnsembleFiles() {
+    const Scene scene = short_channel_scene(
+        {"time.end=6 ms", "output.snapshot_interval=2 ms", "ensemble.seeds=1-4", "particles.diameter=50 um"});
+    write_flow_grid(synthetic_flow(scene), folder_.path() / "flow.h5");
+    write_file(folder_.path() / "scene.toml", effective_scene(scene));
+  }
+
+  Outcome run(const std::string& launcher, const std::string& out, const std::string& more = "") {
+    return shell(launcher + CLOG_PROGRAM " run " + (folder_.path() / "scene.toml").string() + " --flow " +
+                     (folder_.path() / "flow.h5").string() + " --out " + (folder_.path() / out).string() + " " + more,
+                 folder_.path());
+  }
+
+  RunData read(const std::string& out, std::uint64_t seed) {
+    return read_run_file(folder_.path() / out / run_file_name(seed));
+  }
+
+  ScratchFolder folder_;
+};
+
+void expect_same(const RunData& a, const RunData& b) {
+  EXPECT_EQ(a.seed, b.seed);
+  EXPECT_EQ(a.scene_text, b.scene_text);
+  EXPECT_EQ(a.passages.time, b.passages.time);
+  EXPECT_EQ(a.passages.id, b.passages.id);
+  EXPECT_EQ(a.passages.y, b.passages.y);
+  EXPECT_EQ(a.series.time, b.series.time);
+  EXPECT_EQ(a.series.count, b.series.count);
+  EXPECT_EQ(a.series.porosity, b.series.porosity);
+  EXPECT_EQ(a.series.kinetic_energy, b.series.kinetic_energy);
+  EXPECT_EQ(a.series.dissipated, b.series.dissipated);
+  ASSERT_EQ(a.snapshots.size(), b.snapshots.size());
+  for (std::size_t k = 0; k < a.snapshots.size(); ++k) {
+    EXPECT_EQ(a.snapshots[k].id, b.snapshots[k].id);
+    EXPECT_EQ(a.snapshots[k].position, b.snapshots[k].position);
+    EXPECT_EQ(a.snapshots[k].velocity, b.snapshots[k].velocity);
+    EXPECT_EQ(a.snapshots[k].torque, b.snapshots[k].torque);
+  }
+}
+
+TEST_F(EnsembleFiles, AreTheSameOnAnyNumberOfRanks) {
+  const Outcome alone = run("", "alone");
+  ASSERT_EQ(alone.status, 0) << alone.text;
+  for (const int ranks : {1, 2, 3}) {
+    const std::string out = fmt::format("ranks_{}", ranks);
+    const Outcome parallel = run(mpirun(ranks), out);
+    ASSERT_EQ(parallel.status, 0) << parallel.text;
+    for (const std::uint64_t seed : {1, 2, 3, 4}) {
+      SCOPED_TRACE(fmt::format("{} ranks, seed {}", ranks, seed));
+      expect_same(read("alone", seed), read(out, seed));
+    }
+  }
+}
+
+TEST_F(EnsembleFiles, FinishedSeedsAreSkipped) {
+  ASSERT_EQ(run("", "out", "--seeds 2").status, 0);
+  const auto file = folder_.path() / "out" / run_file_name(2);
+  const auto written = std::filesystem::last_write_time(file);
+  const Outcome again = run("", "out", "--seeds 1-3");
+  EXPECT_EQ(again.status, 0) << again.text;
+  EXPECT_THAT(again.text, HasSubstr("seed 2: already done"));
+  EXPECT_EQ(std::filesystem::last_write_time(file), written);
+  EXPECT_TRUE(std::filesystem::exists(folder_.path() / "out" / run_file_name(3)));
+  // A file of another scene in the same folder is not taken for this one.
+  const Outcome other = run("", "out", "--seeds 2 --set time.end='7 ms'");
+  EXPECT_NE(other.status, 0);
+  EXPECT_THAT(other.text, HasSubstr("was made for another scene"));
+}
+
+TEST_F(EnsembleFiles, ASeedThatFailsIsReportedOnceAndTheRestRun) {
+  // A step far too long: every seed blows up, each with its line; the status says so.
+  const Outcome broken = run(mpirun(2), "broken", "--seeds 1-2 --set time.step='20 us'");
+  EXPECT_NE(broken.status, 0);
+  EXPECT_THAT(broken.text, HasSubstr("2 of 2 seeds failed"));
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "broken" / run_file_name(1)));
+}
+
+}  // namespace
+}  // namespace clog::test

@@ -1,0 +1,69 @@
+// V0 from a grid: the nearest point, and a linear field that trilinear lookup must return exactly.
+#include <gtest/gtest.h>
+
+#include "dem/flow_field.hpp"
+
+namespace clog {
+namespace {
+
+Vec3 linear(const Vec3& x) { return {1 + 2 * x.x() - x.y(), 0.5 * x.z() + x.y(), 3 - x.x() + x.y() - 2 * x.z()}; }
+
+FlowGrid linear_grid() {
+  FlowGrid grid;
+  grid.points = {5, 4, 3};
+  grid.origin = Vec3(-1, -0.5, 0.25);
+  grid.spacing = 0.5;
+  grid.velocity.resize(3 * 60);
+  for (int k = 0; k < 3; ++k)
+    for (int j = 0; j < 4; ++j)
+      for (int i = 0; i < 5; ++i) {
+        const Vec3 u = linear(grid.origin + grid.spacing * Vec3(i, j, k));
+        for (int c = 0; c < 3; ++c) grid.velocity[3 * grid.index(i, j, k) + c] = static_cast<float>(u[c]);
+      }
+  return grid;
+}
+
+Vec3 at(const FlowField& field, const Vec3& x) {
+  const auto u = field.at(x.x(), x.y(), x.z());
+  return {u[0], u[1], u[2]};
+}
+
+TEST(FlowField, TrilinearReturnsALinearField) {
+  const FlowGrid grid = linear_grid();
+  const FlowField field(grid, Lookup::trilinear);
+  for (const Vec3& x : {Vec3(-1, -0.5, 0.25), Vec3(-0.77, 0.31, 0.6), Vec3(1, 1, 1.25), Vec3(0.249, -0.01, 0.99)})
+    EXPECT_LT((at(field, x) - linear(x)).norm(), 1e-6) << "the grid holds floats";
+}
+
+TEST(FlowField, NearestReturnsTheNearestPoint) {
+  const FlowGrid grid = linear_grid();
+  const FlowField field(grid, Lookup::nearest);
+  EXPECT_LT((at(field, {-0.76, -0.26, 0.49}) - linear({-1, -0.5, 0.25})).norm(), 1e-6);
+  EXPECT_LT((at(field, {-0.74, -0.24, 0.51}) - linear({-0.5, 0, 0.75})).norm(), 1e-6);
+}
+
+TEST(FlowField, OutsideTheNearestFaceCounts) {
+  const FlowGrid grid = linear_grid();
+  for (const Lookup lookup : {Lookup::nearest, Lookup::trilinear}) {
+    const FlowField field(grid, lookup);
+    EXPECT_LT((at(field, {-9, 0, 0.25}) - linear({-1, 0, 0.25})).norm(), 1e-6);
+    EXPECT_LT((at(field, {9, 9, 9}) - linear({1, 1, 1.25})).norm(), 1e-6);
+  }
+}
+
+TEST(FlowField, HalfVorticityOfTheLinearField) {
+  // curl = (dw/dy - dv/dz, du/dz - dw/dx, dv/dx - du/dy) = (1 - 0.5, 0 + 1, 0 + 1)
+  const FlowGrid grid = linear_grid();
+  const auto w = FlowField(grid, Lookup::trilinear).half_vorticity(0, 0.25, 0.75);
+  EXPECT_NEAR(w[0], 0.25, 1e-6);
+  EXPECT_NEAR(w[1], 0.5, 1e-6);
+  EXPECT_NEAR(w[2], 0.5, 1e-6);
+}
+
+TEST(FlowField, UniformAndNone) {
+  EXPECT_EQ(FlowField().at(1, 2, 3), (std::array<double, 3>{0, 0, 0}));
+  EXPECT_EQ(FlowField(std::array<double, 3>{1, 2, 3}).at(9, 9, 9), (std::array<double, 3>{1, 2, 3}));
+}
+
+}  // namespace
+}  // namespace clog

@@ -1,0 +1,70 @@
+// What a run refuses or reports: each message read.
+#include <fstream>
+
+#include <gmock/gmock.h>
+
+#include "tests/coupling/refusal.hpp"
+#include "tests/dem/channel_scene.hpp"
+
+namespace clog::test {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+TEST(BlowUp, NamesStepParticleForceAndKnob) {
+  // A step a hundred times too long for two spheres deep in each other.
+  Laboratory lab(laboratory_scene({3e9, 0.35, 1062, 33e-6}, 1e-5),
+                 {{.radius = 16.5e-6}, {.radius = 16.5e-6, .x = 30e-6}});
+  EXPECT_THAT(refusal([&] { lab.run_until(1e-3); }),
+              AllOf(HasSubstr("blow-up at step "), HasSubstr("particle "), HasSubstr("m/s under a force of "),
+                    HasSubstr("largest overlap"),
+                    HasSubstr("lower time.step_fraction or raise contact.youngs_modulus")));
+}
+
+TEST(BlowUp, IsSeenInTheStepOfTheFirstNaN) {
+  Laboratory lab(laboratory_scene({3e6, 0.35, 1062, 33e-6}, 1e-7), {{.radius = 16.5e-6}, {.radius = 16.5e-6, .x = 1}});
+  lab.step();
+  lab->particles().vy[0] = std::nan("");
+  EXPECT_THAT(refusal([&] { lab.step(); }), AllOf(HasSubstr("blow-up at step 2"), HasSubstr("nan")));
+}
+
+TEST(LostParticle, NamesTheParticleAndThePlace) {
+  Scene s = laboratory_scene({1e6, 0.3, 1000, 0.1}, 0.01);
+  set_floor(s, 2);
+  Laboratory lab(s, {{.radius = 0.05, .z = 0.5}, {.radius = 0.05, .x = 5, .z = 0.5}});
+  EXPECT_THAT(refusal([&] { lab->compute_forces(); }),
+              AllOf(HasSubstr("particle 1 left the walls at (5, 0, 0.5) m"),
+                    HasSubstr("lower time.step_fraction or raise contact.youngs_modulus")));
+}
+
+TEST(Flow, OfAnotherSceneIsRefusedWithTheFirstDifference) {
+  const Scene narrow = short_channel_scene();
+  const FlowGrid grid = synthetic_flow(short_channel_scene({"geometry.half_angle=45 deg"}));
+  EXPECT_THAT(refusal([&] { make_model(narrow, &grid, {}); }),
+              AllOf(HasSubstr("the flow file belongs to another scene"), HasSubstr("half_angle"),
+                    HasSubstr("make it anew with clog case and clog map")));
+}
+
+TEST(Flow, ThatIsMissingIsAskedFor) {
+  EXPECT_THAT(refusal([] { make_fluid(short_channel_scene(), nullptr); }),
+              HasSubstr("flow.source = \"openfoam\" needs the flow: give --flow flow.h5"));
+}
+
+TEST(Step, OfASceneWhereNothingMovesIsAskedFor) {
+  Scene s = laboratory_scene({}, 1e-6);
+  s.time.step = 0;
+  EXPECT_THAT(refusal([&] { make_model(s, nullptr, {}); }),
+              AllOf(HasSubstr("time.step is missing"), HasSubstr("give time.step")));
+}
+
+TEST(Porosity, OfOverlappingParticlesIsRefused) {
+  PorosityStrips strips(0, 1, {1});
+  Particles p;
+  for (int k = 0; k < 2; ++k) p.add({.radius = 0.49, .x = 0.5});
+  EXPECT_THAT(refusal([&] { strips.update(p); }),
+              AllOf(HasSubstr("in strip 1 of 1"), HasSubstr("raise contact.youngs_modulus")));
+}
+
+}  // namespace
+}  // namespace clog::test

@@ -1,0 +1,134 @@
+// Where a sphere touches a surface of triangles: faces, edges and corners, each counted once.
+#include <algorithm>
+#include <numeric>
+
+#include <gmock/gmock.h>
+
+#include "dem/closest_point.hpp"
+#include "dem/wall_surface.hpp"
+#include "tests/coupling/refusal.hpp"
+#include "tests/dem/wall_shapes.hpp"
+
+namespace clog::test {
+namespace {
+
+std::vector<WallPoint> contacts(const WallSurface& surface, const Vec3& centre, double radius) {
+  std::vector<int> all(surface.size());
+  std::iota(all.begin(), all.end(), 0);
+  std::vector<WallPoint> found;
+  surface.closest_points(all, centre, radius, found);
+  return found;
+}
+
+std::vector<WallPoint> contacts(const Walls& walls, const Vec3& centre, double radius) {
+  return contacts(WallSurface(walls), centre, radius);
+}
+
+TEST(ClosestPoint, OfEachPartOfATriangle) {
+  const Triangle t{{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}};
+  const auto expect = [&](const Vec3& centre, const Vec3& point, int corners) {
+    const ClosestPoint found = closest_point(t, centre);
+    EXPECT_LT((found.point - point).norm(), 1e-15);
+    EXPECT_EQ(found.corners, corners);
+  };
+  expect({0.2, 0.3, 0.7}, {0.2, 0.3, 0}, 3);
+  expect({0.5, -1, 0.7}, {0.5, 0, 0}, 2);
+  expect({-1, 0.25, 0}, {0, 0.25, 0}, 2);
+  expect({1, 1, -2}, {0.5, 0.5, 0}, 2);
+  expect({-1, -2, 3}, {0, 0, 0}, 1);
+  expect({3, -1, 1}, {1, 0, 0}, 1);
+  expect({-1, 3, 1}, {0, 1, 0}, 1);
+}
+
+TEST(WallSurface, FaceCountsOnceOnTheDiagonalOfItsTriangles) {
+  for (const Vec3& foot : {Vec3(0.3, -0.2, 0), Vec3(0.3, 0.3, 0), Vec3(0, 0, 0)}) {
+    const auto found = contacts(floor_plate(1), foot + Vec3(0, 0, 0.09), 0.1);
+    ASSERT_EQ(found.size(), 1u) << foot.transpose();
+    EXPECT_LT((found[0].point - foot).norm(), 1e-15);
+    EXPECT_NEAR(found[0].distance, 0.09, 1e-15);
+    EXPECT_NEAR(found[0].normal.z(), 1, 1e-15);
+  }
+}
+
+TEST(WallSurface, ConvexEdgeCountsOnce) {
+  const Walls wedge = bent_plate(-M_PI / 3, 1);
+  // Above the edge, between the two planes' normals: only the edge is met.
+  const Vec3 up(std::sin(M_PI / 6), 0, std::cos(M_PI / 6));
+  const auto found = contacts(wedge, 0.09 * up + Vec3(0, 0.2, 0), 0.1);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_LT((found[0].point - Vec3(0, 0.2, 0)).norm(), 1e-15);
+  EXPECT_LT((found[0].normal - up).norm(), 1e-14);
+}
+
+TEST(WallSurface, BesideAConvexEdgeOnlyTheFaceIsMet) {
+  const auto found = contacts(bent_plate(-M_PI / 3, 1), {-0.01, 0.2, 0.09}, 0.1);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_LT((found[0].normal - Vec3(0, 0, 1)).norm(), 1e-14);
+}
+
+TEST(WallSurface, ReentrantCornerMeetsBothFacesAndNotTheEdge) {
+  const auto found = contacts(bent_plate(M_PI / 3, 1), {-0.05, 0.2, 0.09}, 0.1);
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_NEAR(std::min(found[0].distance, found[1].distance), 0.05 * std::sin(M_PI / 3) + 0.045, 1e-15);
+  EXPECT_NEAR(std::max(found[0].distance, found[1].distance), 0.09, 1e-15);
+}
+
+TEST(WallSurface, TipOfAPyramidCountsOnce) {
+  Walls pyramid;
+  const Vec3 tip(0, 0, 0);
+  const std::array<Vec3, 4> base{Vec3(1, 1, -1), Vec3(-1, 1, -1), Vec3(-1, -1, -1), Vec3(1, -1, -1)};
+  for (int k = 0; k < 4; ++k) pyramid.push_back({{tip, base[k], base[(k + 1) % 4]}});
+  const auto found = contacts(pyramid, {0.001, -0.002, 0.09}, 0.1);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].point.norm(), 0);
+}
+
+TEST(WallSurface, NothingIsMetOutOfReach) {
+  EXPECT_TRUE(contacts(floor_plate(1), {0, 0, 0.1000001}, 0.1).empty());
+}
+
+/// The contacts in an order that does not depend on the triangles'.
+std::vector<WallPoint> sorted(std::vector<WallPoint> points) {
+  std::ranges::sort(points, {}, [](const WallPoint& w) { return w.distance; });
+  return points;
+}
+
+void expect_same_contacts(const WallSurface& coarse, const WallSurface& fine, const Vec3& centre) {
+  const auto a = sorted(contacts(coarse, centre, 0.1)), b = sorted(contacts(fine, centre, 0.1));
+  ASSERT_EQ(a.size(), b.size()) << centre.transpose();
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    EXPECT_NEAR(a[k].distance, b[k].distance, 1e-14);
+    EXPECT_LT((a[k].point - b[k].point).norm(), 1e-12) << centre.transpose();
+  }
+}
+
+TEST(WallSurface, ResultDoesNotDependOnTheTriangulation) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> across(-0.3, 0.3), height(0.02, 0.12);
+  for (const double angle : {-M_PI / 3, 0.0, M_PI / 3, -M_PI / 2}) {
+    const Walls coarse = bent_plate(angle, 1);
+    const WallSurface whole(coarse);
+    const WallSurface fine(cut_in_three(cut_in_four(cut_in_four(coarse)), random));
+    for (int k = 0; k < 2000; ++k) {
+      const double x = across(random);
+      // Above the surface on both sides of the bend; not closer than rounding to both planes.
+      const double ground = x > 0 && angle > -1.5 ? x * std::tan(angle) : 0;
+      expect_same_contacts(whole, fine, {x, across(random), ground + height(random)});
+    }
+  }
+}
+
+TEST(WallSurface, FindsFlatPatches) {
+  EXPECT_EQ(WallSurface(cut_in_four(floor_plate(1))).patches().size(), 1u);
+  EXPECT_EQ(WallSurface(bent_plate(0.5, 1)).patches().size(), 2u);
+}
+
+TEST(WallSurface, RefusesADegenerateFacet) {
+  Walls walls = floor_plate(1);
+  walls.push_back({{Vec3(0, 0, 0), Vec3(1, 1, 1), Vec3(2, 2, 2)}});
+  EXPECT_THAT(refusal([&] { WallSurface surface(walls); }),
+              testing::HasSubstr("triangle 2 has no area"));
+}
+
+}  // namespace
+}  // namespace clog::test
