@@ -65,12 +65,12 @@ void unpack(const ParticlePointers& p) {
     spin(p.wx, p.tx, task.sx);
     spin(p.wy, p.ty, task.sy);
     spin(p.wz, p.tz, task.sz);
-    // Not max(): a NaN must survive the reduction.
-    fastest = select(speed2 <= fastest, fastest, speed2);
+    // Not max(): a NaN must get in and stay, whatever follows it.
+    fastest = select(speed2 > fastest || speed2 != speed2, speed2, fastest);
   }
   double largest = 0;
   for (int k = 0; k < lanes; ++k)
-    if (!(fastest[k] <= largest)) largest = fastest[k];
+    if (fastest[k] > largest || fastest[k] != fastest[k]) largest = fastest[k];
   return {__builtin_sqrt(largest), stdx::reduce(drag_work), stdx::reduce(body_work)};
 }
 
