@@ -1,75 +1,20 @@
 // The fast solver against the slow one: cells, lists, kernels and remembered springs, all at once, for
 // every instruction set that this processor has.
 #include <cstdlib>
-#include <fstream>
-#include <random>
-#include <sstream>
 
 #include <gtest/gtest.h>
 
-#include "tests/dem/laboratory.hpp"
+#include "tests/dem/clouds.hpp"
 #include "tests/dem/scalar_reference.hpp"
 
 namespace clog::test {
 namespace {
 
-constexpr double d = 33e-6;
-
-Scene busy_scene() {
-  Scene s = laboratory_scene({3e6, 0.35, 1062, d}, 2e-7);
-  s.contact.restitution = 0.6;
-  s.fluid.viscosity = 1.8e-3;
-  s.lubrication.enabled = true;
-  s.lubrication.cutoff = d / 2;
-  set_friction(s, {.sliding = 0.5, .rolling = 0.3, .torsion = 0.2});
-  s.contact.wall_friction.sliding = 0.4;
-  return s;
-}
-
-/// Everything moves, so that every term acts: about 1 mm/s, rad/s to match.
-void stir(std::vector<Particle>& particles, std::mt19937& random) {
-  std::normal_distribution<double> speed(0, 1e-3), spin(0, 60);
-  for (Particle& p : particles) {
-    p.vx = speed(random), p.vy = speed(random), p.vz = speed(random);
-    p.wx = spin(random), p.wy = spin(random), p.wz = spin(random);
-  }
-}
-
-std::vector<Particle> packed_box() {
-  std::ifstream file(CLOG_TEST_DATA "/packed_box_1000.txt");
-  std::vector<Particle> particles;
-  for (std::string line; std::getline(file, line);) {
-    if (line[0] == '#') continue;
-    Particle p{.radius = d / 2};
-    std::istringstream(line) >> p.x >> p.y >> p.z;
-    particles.push_back(p);
-  }
-  std::mt19937 random(11);
-  stir(particles, random);
-  return particles;
-}
-
-/// Spheres of sizes 1 to 4, many of them overlapping a little; cells sized by the largest.
-std::vector<Particle> polydisperse_cloud() {
-  std::mt19937 random(5);
-  std::uniform_real_distribution<double> share(0, 1);
-  std::vector<Particle> cloud;
-  while (cloud.size() < 400) {
-    Particle p{.radius = d / 2 * (0.25 + 0.75 * share(random))};
-    const double size = 8 * d;
-    p.x = size * share(random), p.y = size * share(random), p.z = size * share(random);
-    const bool deep = std::ranges::any_of(cloud, [&](const Particle& q) {
-      return std::hypot(p.x - q.x, p.y - q.y, p.z - q.z) <
-             p.radius + q.radius - 0.02 * std::min(p.radius, q.radius);
-    });
-    if (!deep) cloud.push_back(p);
-  }
-  stir(cloud, random);
-  return cloud;
-}
+constexpr double d = crowd_diameter;
+constexpr double step = 2e-7;  // [s]
 
 /// Largest difference of any load, over the largest load.
-void expect_same_loads(Laboratory& lab, const Loads& expected, int step, double rounding) {
+void expect_same_loads(Laboratory& lab, const Loads& expected, int number, double rounding) {
   double largest_force = 0, largest_torque = 0;
   for (const auto& f : expected.force) largest_force = std::max(largest_force, std::sqrt(dot(f, f)));
   for (const auto& t : expected.torque) largest_torque = std::max(largest_torque, std::sqrt(dot(t, t)));
@@ -77,10 +22,10 @@ void expect_same_loads(Laboratory& lab, const Loads& expected, int step, double 
   ASSERT_EQ(p.size(), expected.force.size());
   for (std::size_t i = 0; i < p.size(); ++i) {
     const auto &f = expected.force[p.id[i]], &t = expected.torque[p.id[i]];
-    ASSERT_NEAR(p.fx[i], f.x, rounding * largest_force) << "step " << step << " particle " << p.id[i];
+    ASSERT_NEAR(p.fx[i], f.x, rounding * largest_force) << "step " << number << " particle " << p.id[i];
     ASSERT_NEAR(p.fy[i], f.y, rounding * largest_force);
     ASSERT_NEAR(p.fz[i], f.z, rounding * largest_force);
-    ASSERT_NEAR(p.tx[i], t.x, rounding * largest_torque) << "step " << step << " particle " << p.id[i];
+    ASSERT_NEAR(p.tx[i], t.x, rounding * largest_torque) << "step " << number << " particle " << p.id[i];
     ASSERT_NEAR(p.ty[i], t.y, rounding * largest_torque);
     ASSERT_NEAR(p.tz[i], t.z, rounding * largest_torque);
   }
@@ -123,19 +68,17 @@ void compare(const Scene& scene, const std::vector<Particle>& particles, int ste
 TEST_P(AgainstScalar, PackedBoxForceByForce) {
   if (!has(GetParam())) GTEST_SKIP() << "this processor lacks " << GetParam();
   const ForcedIsa isa(GetParam());
-  Scene s = busy_scene();
+  Scene s = crowd_scene(step);
   s.box.present = true;
-  s.box.max = {1.6e-3, 4e-4, 1e-4};
-  compare(s, packed_box(), 15);
+  s.box.max = packed_box_size;
+  compare(s, packed_box(1e-3), 15);
 }
 
 TEST_P(AgainstScalar, PolydisperseCloudAcrossManyListRebuilds) {
   if (!has(GetParam())) GTEST_SKIP() << "this processor lacks " << GetParam();
   const ForcedIsa isa(GetParam());
-  std::vector<Particle> cloud = polydisperse_cloud();
   // Fast enough for a rebuild every few steps: the skin is 0.1 d, a step 0.01 d.
-  for (Particle& p : cloud) p.vx *= 200, p.vy *= 200, p.vz *= 200;
-  compare(busy_scene(), cloud, 60);
+  compare(crowd_scene(step), polydisperse_cloud(0.2), 60);
 }
 
 TEST_P(AgainstScalar, DimersThatChangePlacesInTheOrderOfTheLists) {
@@ -143,7 +86,7 @@ TEST_P(AgainstScalar, DimersThatChangePlacesInTheOrderOfTheLists) {
   // along x, larger id ahead or behind, is listed now this way, now that, with all its springs wound.
   if (!has(GetParam())) GTEST_SKIP() << "this processor lacks " << GetParam();
   const ForcedIsa isa(GetParam());
-  Scene s = busy_scene();
+  Scene s = crowd_scene(step);
   s.lubrication.enabled = false;
   s.contact.tangential_damping = 0.1;  // springs, not dashpots, must carry the torques
   s.contact.youngs_modulus = s.contact.wall_youngs_modulus = 3e4;

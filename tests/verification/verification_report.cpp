@@ -1,0 +1,53 @@
+// Writes docs/verification.md: every verified number beside its reference. Usage:
+// verification_report [FILE]; without a file to standard output. Exit status 1 if a limit is exceeded.
+#include <cstdio>
+#include <fstream>
+
+#include <fmt/format.h>
+
+#include "tests/verification/check.hpp"
+
+using clog::verification::Check;
+using clog::verification::Group;
+
+namespace {
+
+constexpr const char* introduction = R"(# Verification
+
+The particle solver against published benchmarks, closed forms and conservation laws. Made by
+
+    build/release/bin/verification_report docs/verification.md
+
+and asserted, with the same numbers and limits, by the test program `test_verification`. *Error* is relative to
+the reference, or absolute (marked "abs") where the reference is zero or a curve with zeros. Chung & Ooi: "Benchmark tests for
+verifying discrete element modelling codes at particle impact level", Granular Matter 13 (2011) 643.
+)";
+
+std::string row(const Check& c) {
+  return fmt::format("| {} | {:.6g} | {:.6g} | {:.2e}{} | {:.1e} | {} |\n", c.name, c.reference, c.ours, c.error(),
+                     c.relative ? "" : " abs", c.limit, c.passed() ? "yes" : "**NO**");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::string page = introduction;
+  int failed = 0, count = 0;
+  for (const auto& entry : clog::verification::all_groups()) {
+    const Group group = entry.run();
+    page += fmt::format("\n## {}\n\n{}\n\n| test | reference | ours | error | limit | within |\n| --- | ---: | ---: | ---: | ---: | --- |\n",
+                        group.title, group.remark);
+    for (const Check& check : group.checks) {
+      page += row(check);
+      ++count;
+      failed += !check.passed();
+    }
+  }
+  page += fmt::format("\n{} of {} numbers within their limits.\n", count - failed, count);
+  if (argc > 1) {
+    std::ofstream(argv[1]) << page;
+  } else {
+    std::fputs(page.c_str(), stdout);
+  }
+  return failed ? 1 : 0;
+}
