@@ -1,6 +1,7 @@
 // Any state as bytes and back, bit by bit: what a checkpoint is made of.
 #pragma once
 
+#include <cstdint>
 #include <cstring>
 #include <string>
 #include <type_traits>
@@ -94,6 +95,13 @@ private:
       raw(&value, sizeof value);
     }
   }
+  /// A bool with another value than these two would be undefined behaviour later.
+  void take(bool& value) {
+    std::uint8_t byte = 0;
+    raw(&byte, 1);
+    require(byte <= 1, "a saved state is damaged");
+    value = byte == 1;
+  }
   void take(Vec3& value) { raw(value.data(), 3 * sizeof(double)); }
   void take(std::string& text) {
     text.resize(take_size(1));
@@ -102,7 +110,8 @@ private:
   void take(nlohmann::json& value) {
     std::string text;
     take(text);
-    value = nlohmann::json::parse(text);
+    value = nlohmann::json::parse(text, nullptr, false);
+    require(!value.is_discarded(), "a saved state holds a text that is no JSON");
   }
   template <class T>
   void take(std::vector<T>& values) {

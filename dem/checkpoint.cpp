@@ -22,7 +22,7 @@ std::string fault(const std::string& content, const std::string& identity) {
                       content_hash(content.substr(version_size + 2 * hash_size))) != 0)
     return "its checksum does not fit (torn or damaged)";
   if (content.compare(version_size, hash_size, content_hash(identity)) != 0)
-    return "it belongs to another scene, flow or program";
+    return "it belongs to another scene, flow, program or kind of processor";
   return "";
 }
 
@@ -35,25 +35,40 @@ Checkpoint::Checkpoint(const std::filesystem::path& run_file, std::string identi
 }
 
 void Checkpoint::save(const std::string& state) {
-  std::error_code ignored;  // no state yet
-  std::filesystem::rename(newest_, older_, ignored);
+  std::error_code ignored;
+  if (newest_is_good_) std::filesystem::rename(newest_, older_, ignored);
+  newest_is_good_ = false;
   publish_file(version + content_hash(identity_) + content_hash(state) + state, newest_);
+  newest_is_good_ = true;
 }
 
-std::optional<std::string> Checkpoint::load(const std::function<void(const std::string&)>& say) const {
+bool Checkpoint::load(const std::function<void(const std::string&)>& take,
+                      const std::function<void(const std::string&)>& say) {
+  bool passed_over = false;
+  std::error_code ignored;
   for (const auto& file : {newest_, older_}) {
-    if (!std::filesystem::exists(file)) continue;
-    const std::string content = read_text_file(file);
-    const std::string problem = fault(content, identity_);
-    if (problem.empty()) return content.substr(version_size + 2 * hash_size);
-    say(fmt::format("{} is not used: {}", file.string(), problem));
+    if (!std::filesystem::exists(file, ignored)) continue;
+    try {
+      const std::string content = read_text_file(file);
+      const std::string problem = fault(content, identity_);
+      require(problem.empty(), "{}", problem);
+      take(content.substr(version_size + 2 * hash_size));
+      newest_is_good_ = file == newest_;
+      if (passed_over) say(fmt::format("goes on from {}", file.string()));
+      return true;
+    } catch (const std::exception& error) {
+      say(fmt::format("{} is not used: {}", file.string(), error.what()));
+      passed_over = true;
+    }
   }
-  return std::nullopt;
+  if (passed_over) say("starts anew");
+  return false;
 }
 
 void Checkpoint::remove() {
-  std::filesystem::remove(newest_);
-  std::filesystem::remove(older_);
+  std::error_code ignored;
+  std::filesystem::remove(newest_, ignored);
+  std::filesystem::remove(older_, ignored);
 }
 
 }  // namespace clog

@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <functional>
-#include <optional>
 #include <string>
 
 namespace clog {
@@ -19,15 +18,19 @@ public:
   /// Puts the state in place of the newest, which becomes the older one. \throws Error
   void save(const std::string& state);
 
-  /// The newest state that is whole, if there is one. `say` is told of each file passed over and why.
-  std::optional<std::string> load(const std::function<void(const std::string&)>& say) const;
+  /// Offers `take` the newest state that is whole, then the older one, until it does not throw. `say` is
+  /// told of each file passed over and why.
+  /// \return whether one was taken
+  bool load(const std::function<void(const std::string&)>& take,
+            const std::function<void(const std::string&)>& say);
 
-  /// The run is done: removes both.
+  /// The run is done: removes both, as far as the system lets it.
   void remove();
 
 private:
   std::filesystem::path newest_, older_;
   std::string identity_;
+  bool newest_is_good_ = false;  // only then may it take the place of the older one
 };
 
 }  // namespace clog

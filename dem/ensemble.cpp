@@ -1,11 +1,15 @@
 #include "dem/ensemble.hpp"
 
 #include <chrono>
+#include <optional>
 #include <sstream>
 
+#include "coupling/content_hash.hpp"
 #include "coupling/require.hpp"
 #include "coupling/run_file.hpp"
+#include "coupling/text_file.hpp"
 #include "dem/checkpoint.hpp"
+#include "dem/seed_lock.hpp"
 
 namespace clog {
 
@@ -17,6 +21,25 @@ Scene scene_of(const Scene& scene, std::uint64_t seed) {
   Scene own = scene;
   own.ensemble.seeds = {seed};
   return own;
+}
+
+/// Hash of what the scene only names: the field of the flow, the files of particles and walls.
+std::string inputs_hash(const Ensemble& ensemble) {
+  std::string inputs;
+  if (const FlowGrid* flow = ensemble.flow) {
+    inputs = flow->hash;
+    inputs.append(reinterpret_cast<const char*>(flow->velocity.data()),
+                  flow->velocity.size() * sizeof(float));
+  }
+  for (const std::string& file : {ensemble.scene.particles.initial, ensemble.scene.geometry.stl})
+    if (!file.empty()) inputs += read_text_file(file);
+  return content_hash(inputs);
+}
+
+void check_same_inputs(const RunData& done, const std::string& wanted, const std::string& file) {
+  require(done.provenance.value("inputs_hash", wanted) == wanted,
+          "{}: was made with another flow, or other files of particles or walls: give another --out",
+          file);
 }
 
 void check_same_scene(const RunData& done, const std::string& wanted, const std::string& file) {
@@ -81,24 +104,39 @@ std::string summary(const RunData& run) {
 }
 
 /// \return one line about what happened
-std::string run_seed(const Ensemble& ensemble, std::uint64_t seed, const Watcher& watcher,
-                     const std::function<void(const SeedReport&)>& report) {
+std::string run_seed(const Ensemble& ensemble, const std::string& inputs, std::uint64_t seed,
+                     const Watcher& watcher, const std::function<void(const SeedReport&)>& report) {
   const Scene scene = scene_of(ensemble.scene, seed);
   const std::string scene_text = effective_scene(scene);
   const auto file = ensemble.directory / run_file_name(seed);
+  const SeedLock lock(file);
   if (std::filesystem::exists(file)) {
-    check_same_scene(read_run_file(file), scene_text, file.string());
+    const RunData done = read_run_file(file);
+    check_same_scene(done, scene_text, file.string());
+    check_same_inputs(done, inputs, file.string());
+    Checkpoint(file, "").remove();  // of a run that was killed just after it wrote its file
     return "already done";
   }
   const auto say = [&](const std::string& line) { report({seed, line, false, true}); };
-  Checkpoint checkpoint(file, scene_text + (ensemble.flow ? ensemble.flow->hash : "") + CLOG_VERSION);
-  Simulation simulation(scene, ensemble.flow, seed);
-  if (const auto state = checkpoint.load(say)) simulation.resume(*state);
-  Saver saver(simulation, checkpoint, ensemble, say);
-  const RunData run = simulation.run([&](const Progress& progress) {
+  // The layout of a state is the compiled program's, and its last bits are the instruction set's.
+  Checkpoint checkpoint(file, scene_text + inputs + CLOG_REVISION __VERSION__ + select_kernels().name);
+  std::optional<Simulation> simulation(std::in_place, scene, ensemble.flow, seed);
+  const auto resume = [&](const std::string& state) {
+    try {
+      simulation->resume(state);
+    } catch (...) {
+      // A state that proves bad half-way must leave nothing behind.
+      simulation.emplace(scene, ensemble.flow, seed);
+      throw;
+    }
+  };
+  checkpoint.load(resume, say);
+  Saver saver(*simulation, checkpoint, ensemble, say);
+  RunData run = simulation->run([&](const Progress& progress) {
     saver.look();
     if (watcher) watcher(progress);
   });
+  run.provenance["inputs_hash"] = inputs;
   write_run_file(run, file);
   checkpoint.remove();
   return summary(run);
@@ -110,11 +148,12 @@ EnsembleResult run_ensemble(const Ensemble& ensemble, Ranks& ranks, const Watche
                             const std::function<void(const SeedReport&)>& report) {
   const auto& seeds = ensemble.scene.ensemble.seeds;
   make_directory(ensemble.directory);
+  const std::string inputs = inputs_hash(ensemble);
   EnsembleResult result;
   for (int k = ranks.next(); k < static_cast<int>(seeds.size()); k = ranks.next()) {
     const std::uint64_t seed = seeds[k];
     try {
-      report({seed, run_seed(ensemble, seed, watcher, report), false});
+      report({seed, run_seed(ensemble, inputs, seed, watcher, report), false});
     } catch (const Stopped&) {
       ++result.stopped;
       report({seed, "stopped; its state is saved, the same call goes on from there", false});

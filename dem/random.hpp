@@ -6,6 +6,8 @@
 #include <sstream>
 #include <string>
 
+#include "coupling/require.hpp"
+
 namespace clog {
 
 class Random {
@@ -27,7 +29,9 @@ public:
     out << engine_;
     std::string text = out.str();
     archive(text);
-    std::istringstream(text) >> engine_;
+    if constexpr (Archive::loading)
+      require(static_cast<bool>(std::istringstream(text) >> engine_),
+              "a saved state holds no random generator");
   }
 
 private:
