@@ -17,6 +17,9 @@ public:
   /// Forgets everything; `candidates` entries, none of them touching.
   void reset(std::size_t candidates);
 
+  /// Scratch of the hot loop: the particles of candidates with a fluid film.
+  std::vector<int> film_first, film_second;
+
   std::size_t size() const { return count_; }
   std::size_t candidates() const { return position_.size(); }
 
@@ -25,19 +28,20 @@ public:
   Springs<double> springs(std::size_t position) const;
 
   /// Makes a candidate touch, with springs that another list remembers.
-  void add(int candidate, const Springs<double>& springs);
+  /// \param first, second  its particles, or particle and plane
+  void add(int candidate, int first, int second, const Springs<double>& springs);
 
   ContactPointers pointers();
 
   template <class Archive>
   void exchange(Archive& archive) {
     for (auto& values : spring_) archive(values);
-    archive(candidate_, position_, count_);
+    archive(first_, second_, candidate_, position_, count_, film_first, film_second);
   }
 
 private:
   std::array<std::vector<double>, 7> spring_;  // padded to whole vectors
-  std::vector<int> candidate_, position_;
+  std::vector<int> first_, second_, candidate_, position_;
   std::size_t count_ = 0;
 };
 

@@ -20,7 +20,7 @@ struct ParticlePointers {
 
 /// Doubles per particle in the packed arrays: four at a time make one load and a transposition of what
 /// would be sixteen single loads for four contacts.
-inline constexpr int state_stride = 12, loads_stride = 8;
+inline constexpr int state_stride = 16, loads_stride = 8;
 
 /// Doubles in the widest vector of any instruction set here; arrays that are read in whole vectors are
 /// padded by it.
@@ -29,6 +29,7 @@ inline constexpr std::size_t widest_vector = 8;
 /// A ContactSet: springs (sliding x y z, rolling x y z, torsion) of the contacts side by side.
 struct ContactPointers {
   double* spring[7];
+  int *first, *second; ///< particles of each contact; of a contact with a plane: the particle and the plane
   int* candidate;      ///< of each contact
   int* position;       ///< of each candidate's contact, -1 if it does not touch
   std::size_t* count;  ///< of contacts
@@ -50,10 +51,10 @@ struct ContactTally {
 /// Pairs that may touch before the list is rebuilt.
 struct PairTask {
   ParticlePointers particles;
-  const int *first, *second;
+  const int *first, *second;  ///< padded to whole vectors with valid indices
   std::size_t count;
   ContactPointers contacts;
-  int* lubricated;  ///< scratch, `count` long
+  int *film_first, *film_second;  ///< scratch, padded as well
   ContactLaw law;
   LubricationLaw lubrication;
   double dt;
@@ -62,7 +63,7 @@ struct PairTask {
 /// Pairs that can only lubricate before the list is rebuilt.
 struct FarTask {
   ParticlePointers particles;
-  const int *first, *second;
+  const int *first, *second;  ///< padded to whole vectors with valid indices
   std::size_t count;
   LubricationLaw lubrication;
 };
@@ -70,11 +71,11 @@ struct FarTask {
 /// Particles that can meet the inside of one plane wall.
 struct PlaneTask {
   ParticlePointers particles;
-  const int* particle;
+  const int *particle, *slot;  ///< slot[k] = k; both padded to whole vectors with valid indices
   const double *nx, *ny, *nz, *offset;  ///< n . x = offset on the plane
   std::size_t count;
   ContactPointers contacts;
-  int* lubricated;  ///< scratch, `count` long
+  int *film_first, *film_second;  ///< scratch, padded as well
   ContactLaw law;
   LubricationLaw lubrication;
   double dt;

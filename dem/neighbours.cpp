@@ -66,12 +66,16 @@ std::vector<int> Neighbours::rebuild(Particles& p, const std::vector<std::uint8_
       far_first.push_back(i), far_second.push_back(j);
     }
   });
-  contacts.reset(first.size());
-  scratch_lubricated.resize(first.size());
-  for (std::size_t k = 0; k < first.size(); ++k)
+  count = first.size();
+  far_count = far_first.size();
+  for (auto* indices : {&first, &second, &far_first, &far_second})
+    indices->resize(indices->size() + widest_vector, 0);
+  contacts.reset(count);
+  for (std::size_t k = 0; k < count; ++k)
     for (int c = memory.start[first[k]]; c < memory.start[first[k] + 1]; ++c)
       if (memory.contacts[c].j == second[k])
-        contacts.add(static_cast<int>(k), memory.contacts[c].springs);
+        contacts.add(static_cast<int>(k), first[k], second[k],
+                     memory.contacts[c].springs);
   return renumbered;
 }
 

@@ -26,14 +26,15 @@ public:
 
   /// Pairs that may touch, i < j: the candidates of `contacts`.
   std::vector<int> first, second;
+  std::size_t count = 0;  ///< the lists are padded beyond it, to whole vectors
   /// Pairs that can at most lubricate.
   std::vector<int> far_first, far_second;
+  std::size_t far_count = 0;
   ContactSet contacts;
-  std::vector<int> scratch_lubricated;
 
   template <class Archive>
   void exchange(Archive& archive) {
-    archive(first, second, far_first, far_second, contacts, scratch_lubricated);
+    archive(first, second, far_first, far_second, contacts, count, far_count);
   }
 };
 

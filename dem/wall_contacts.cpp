@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "dem/physics/lubrication.hpp"
 
@@ -60,6 +61,7 @@ void WallContacts::change(const Walls& walls, double radius, const Particles& pa
   surface_ = WallSurface(walls);
   bins_ = WallBins(walls, radius + reach_.lubrication + reach_.skin);
   particle_.clear();
+  slots_ = 0;
   contacts_.reset(0);
   corners_.clear();
 }
@@ -110,10 +112,15 @@ void WallContacts::rebuild(const Particles& p, const std::vector<int>& renumbere
     }
     if (!corner.triangles.empty()) corners_.push_back(std::move(corner));
   }
-  contacts_.reset(particle_.size());
+  slots_ = particle_.size();
+  slot_.resize(slots_);
+  std::iota(slot_.begin(), slot_.end(), 0);
+  for (auto* indices : {&particle_, &slot_}) indices->resize(slots_ + widest_vector, 0);
+  for (auto* values : {&nx_, &ny_, &nz_, &offset_}) values->resize(slots_ + widest_vector, 0.0);
+  contacts_.reset(slots_);
   for (std::size_t k = 0; k < known.size(); ++k)
-    if (known[k]) contacts_.add(static_cast<int>(k), recalled[k]);
-  scratch_lubricated_.resize(particle_.size());
+    if (known[k])
+      contacts_.add(static_cast<int>(k), particle_[k], static_cast<int>(k), recalled[k]);
   corner_touches_ = std::move(memory);
 }
 
@@ -121,13 +128,15 @@ ContactTally WallContacts::collide_planes(Particles& p, const Kernels& kernels,
                                           const WallLaws& laws) {
   PlaneTask task{pointers(p),
                  particle_.data(),
+                 slot_.data(),
                  nx_.data(),
                  ny_.data(),
                  nz_.data(),
                  offset_.data(),
-                 particle_.size(),
+                 slots_,
                  contacts_.pointers(),
-                 scratch_lubricated_.data(),
+                 contacts_.film_first.data(),
+                 contacts_.film_second.data(),
                  laws.contact,
                  laws.lubrication,
                  laws.dt};

@@ -66,7 +66,7 @@ public:
   /// Everything but the surface, which the scene gives.
   template <class Archive>
   void exchange(Archive& archive) {
-    archive(particle_, nx_, ny_, nz_, offset_, contacts_, scratch_lubricated_, corners_, corner_touches_);
+    archive(particle_, slot_, slots_, nx_, ny_, nz_, offset_, contacts_, corners_, corner_touches_);
   }
 
 private:
@@ -83,10 +83,10 @@ private:
   WallSurface surface_;
   WallBins bins_;
   Reach reach_;
-  std::vector<int> particle_;  // of each plane slot
+  std::vector<int> particle_, slot_;  // of each plane slot, padded to whole vectors; slot_[k] = k
+  std::size_t slots_ = 0;
   std::vector<double> nx_, ny_, nz_, offset_;
   ContactSet contacts_;
-  std::vector<int> scratch_lubricated_;
   std::vector<Corner> corners_;
   std::vector<Touch> corner_touches_;  // sorted by particle, of the last step
 };

@@ -86,28 +86,49 @@ Columns load_records(const double* base, int stride, Index at) {
   return columns;
 }
 
-/// Adds a 3-vector to record `at[k]` for the first `used` lanes, one after the other: two lanes may
-/// name the same record.
-void add_records(double* base, int stride, Index at, const Vector<Lanes>& amount, int used) {
+/// Rows of a 3-vector, ready to be added to records.
+struct Records {
 #ifdef __AVX__
-  for (int half = 0; half < lanes / 4; ++half) {
-    RawQuad rows[4] = {part(amount.x, half), part(amount.y, half), part(amount.z, half), RawQuad{}};
-    transpose(rows);
-    for (int k = 0; k < 4 && 4 * half + k < used; ++k) {
-      double* record = base + stride * at[4 * half + k];
-      const RawQuad sum = load_quad(record) + rows[k];
-      __builtin_memcpy(record, &sum, sizeof sum);
+  RawQuad rows[lanes];
+
+  explicit Records(const Vector<Lanes>& v) {
+    for (int half = 0; half < lanes / 4; ++half) {
+      RawQuad quads[4] = {part(v.x, half), part(v.y, half), part(v.z, half), RawQuad{}};
+      transpose(quads);
+      for (int k = 0; k < 4; ++k) rows[4 * half + k] = quads[k];
     }
   }
 #else
-  for (int k = 0; k < used; ++k) {
-    double* record = base + stride * at[k];
-    record[0] += amount.x[k];
-    record[1] += amount.y[k];
-    record[2] += amount.z[k];
+  double rows[lanes][3];
+
+  explicit Records(const Vector<Lanes>& v) {
+    for (int k = 0; k < lanes; ++k) rows[k][0] = v.x[k], rows[k][1] = v.y[k], rows[k][2] = v.z[k];
   }
 #endif
-}
+
+  /// Adds (sign 1) or subtracts (sign -1) row k to the record, one row after the other: two lanes may
+  /// name the same record.
+  template <int sign>
+  void apply(double* record, int k) const {
+#ifdef __AVX__
+    const RawQuad before = load_quad(record);
+    const RawQuad after = sign > 0 ? before + rows[k] : before - rows[k];
+    __builtin_memcpy(record, &after, sizeof after);
+#else
+    for (int c = 0; c < 3; ++c) record[c] += sign * rows[k][c];
+#endif
+  }
+
+  /// The same for the first `used` lanes; almost every vector is full.
+  template <int sign>
+  void apply(double* base, Index at, int used) const {
+    if (used == lanes) {
+      for (int k = 0; k < lanes; ++k) apply<sign>(base + loads_stride * at[k], k);
+    } else {
+      for (int k = 0; k < used; ++k) apply<sign>(base + loads_stride * at[k], k);
+    }
+  }
+};
 
 /// Position and radius, velocity and mass, or spin of the particles in each lane.
 struct Placed {
@@ -136,16 +157,29 @@ Vector<Lanes> load_spin(const ParticlePointers& p, Index at) {
 }
 
 void add_force(const ParticlePointers& p, Index at, const Vector<Lanes>& force, int used) {
-  add_records(p.loads, loads_stride, at, force, used);
+  Records(force).apply<1>(p.loads, at, used);
+}
+
+/// Newton's third law: i gets the force, j its opposite.
+void add_force(const ParticlePointers& p, Index i, Index j, const Vector<Lanes>& force, int used) {
+  const Records records(force);
+  records.apply<1>(p.loads, i, used);
+  records.apply<-1>(p.loads, j, used);
 }
 
 void add_torque(const ParticlePointers& p, Index at, const Vector<Lanes>& torque, int used) {
-  add_records(p.loads + 4, loads_stride, at, torque, used);
+  Records(torque).apply<1>(p.loads + 4, at, used);
 }
 
 int lanes_left(std::size_t from, std::size_t count) {
   const std::size_t left = count - from;
   return left < static_cast<std::size_t>(lanes) ? static_cast<int>(left) : lanes;
+}
+
+/// Zero in the spare lanes, whose indices are padding.
+Lanes used_lanes(const Lanes& values, int used) {
+  if (used == lanes) return values;
+  return Lanes([&](auto k) { return static_cast<int>(k) < used ? values[k] : 0.0; });
 }
 
 /// Reads or writes a stretch of an array that may end before the vector does.

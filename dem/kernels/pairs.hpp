@@ -7,24 +7,9 @@
 namespace clog {
 namespace {
 
-/// The particles of a vector's worth of pairs.
-struct PairLanes {
-  int i[lanes], j[lanes];
-
-  /// Pairs `list[from]` ...; without a list the pairs from, from + 1 ... Spare lanes repeat the last.
-  PairLanes(const int* first, const int* second, const int* list, std::size_t from, int used) {
-    for (int k = 0; k < lanes; ++k) {
-      const std::size_t at = from + (k < used ? k : used - 1);
-      const std::size_t pair = list ? list[at] : at;
-      i[k] = first[pair];
-      j[k] = second[pair];
-    }
-  }
-};
-
 /// Film between spheres: -c (n . v) n, with c / distance^2 in one division.
-void lubricate(const ParticlePointers& p, const LubricationLaw& law, const PairLanes& pair, int used) {
-  const Placed a = load_place(p, pair.i), b = load_place(p, pair.j);
+void lubricate(const ParticlePointers& p, const LubricationLaw& law, Index i, Index j, int used) {
+  const Placed a = load_place(p, i), b = load_place(p, j);
   const Vector<Lanes> apart = a.position - b.position;
   const Lanes distance2 = dot(apart, apart);
   const Lanes gap = sqrt(distance2) - a.radius - b.radius;
@@ -33,39 +18,24 @@ void lubricate(const ParticlePointers& p, const LubricationLaw& law, const PairL
   const Lanes coefficient =
       select(gap <= Lanes(law.farthest),
              lubrication_coefficient(law.viscosity, radius, film * distance2), Lanes(0.0));
-  const Vector<Lanes> velocity = load_motion(p, pair.i).velocity - load_motion(p, pair.j).velocity;
-  const Vector<Lanes> force = (-(coefficient * dot(velocity, apart))) * apart;
-  add_force(p, pair.i, force, used);
-  add_force(p, pair.j, -force, used);
+  const Vector<Lanes> velocity = load_motion(p, i).velocity - load_motion(p, j).velocity;
+  add_force(p, i, j, (-(coefficient * dot(velocity, apart))) * apart, used);
 }
 
 [[gnu::flatten]] void lubricate_far(const FarTask& task) {
-  for (std::size_t from = 0; from < task.count; from += lanes) {
-    const int used = lanes_left(from, task.count);
-    lubricate(task.particles, task.lubrication,
-              PairLanes(task.first, task.second, nullptr, from, used), used);
-  }
-}
-
-void sort_pairs(const PairTask& task, Sorter& sorter) {
-  for (std::size_t from = 0; from < task.count; from += lanes) {
-    const int used = lanes_left(from, task.count);
-    const PairLanes pair(task.first, task.second, nullptr, from, used);
-    const Placed a = load_place(task.particles, pair.i), b = load_place(task.particles, pair.j);
-    const Vector<Lanes> apart = a.position - b.position;
-    const Lanes gap = sqrt(dot(apart, apart)) - a.radius - b.radius;
-    for (int k = 0; k < used; ++k) sorter.sort(from + k, gap[k]);
-  }
+  for (std::size_t from = 0; from < task.count; from += lanes)
+    lubricate(task.particles, task.lubrication, task.first + from, task.second + from,
+              lanes_left(from, task.count));
 }
 
 template <ContactTerms terms>
 Lanes collide(const PairTask& task, std::size_t from, int used) {
   const ParticlePointers& p = task.particles;
-  const PairLanes pair(task.first, task.second, task.contacts.candidate, from, used);
-  const Placed a = load_place(p, pair.i), b = load_place(p, pair.j);
+  const Index i = task.contacts.first + from, j = task.contacts.second + from;
+  const Placed a = load_place(p, i), b = load_place(p, j);
   const Vector<Lanes> apart = a.position - b.position;
   const Lanes distance = sqrt(dot(apart, apart));
-  const Moving ma = load_motion(p, pair.i), mb = load_motion(p, pair.j);
+  const Moving ma = load_motion(p, i), mb = load_motion(p, j);
   ContactGeometry<Lanes> contact;
   contact.normal = (Lanes(1.0) / distance) * apart;
   contact.overlap = a.radius + b.radius - distance;
@@ -73,33 +43,35 @@ Lanes collide(const PairTask& task, std::size_t from, int used) {
   contact.mass = ma.mass * mb.mass / (ma.mass + mb.mass);
   contact.arm_i = a.radius - Lanes(0.5) * contact.overlap;
   contact.arm_j = b.radius - Lanes(0.5) * contact.overlap;
-  const ContactMotion<Lanes> motion{ma.velocity - mb.velocity, load_spin(p, pair.i),
-                                    load_spin(p, pair.j)};
+  const ContactMotion<Lanes> motion{ma.velocity - mb.velocity, load_spin(p, i), load_spin(p, j)};
   Springs<Lanes> springs = load_springs<terms>(task.contacts, from);
   const ContactLoads<Lanes> loads = contact_loads<terms>(task.law, contact, motion, task.dt, springs);
   store_springs<terms>(task.contacts, from, springs);
-  add_force(p, pair.i, loads.force, used);
-  add_force(p, pair.j, -loads.force, used);
+  add_force(p, i, j, loads.force, used);
   if constexpr (terms.sliding || terms.rolling || terms.torsion) {
-    add_torque(p, pair.i, loads.torque_i, used);
-    add_torque(p, pair.j, loads.torque_j, used);
+    add_torque(p, i, loads.torque_i, used);
+    add_torque(p, j, loads.torque_j, used);
   }
-  return contact.overlap;
+  return used_lanes(contact.overlap, used);
 }
 
 template <ContactTerms terms>
 [[gnu::flatten]] ContactTally collide_pairs(const PairTask& task) {
-  Sorter sorter{task.contacts, task.lubrication, task.lubricated};
-  sort_pairs(task, sorter);
+  Sorter sorter{task.contacts, task.lubrication, task.film_first, task.film_second};
+  for (std::size_t from = 0; from < task.count; from += lanes) {
+    const Index i = task.first + from, j = task.second + from;
+    const Placed a = load_place(task.particles, i), b = load_place(task.particles, j);
+    const Vector<Lanes> apart = a.position - b.position;
+    sorter.sort(sqrt(dot(apart, apart)) - a.radius - b.radius, from, i, j,
+                lanes_left(from, task.count));
+  }
   const std::size_t count = *task.contacts.count;
   Lanes deepest(0.0);
   for (std::size_t from = 0; from < count; from += lanes)
     deepest = max(deepest, collide<terms>(task, from, lanes_left(from, count)));
-  for (std::size_t from = 0; from < sorter.lubricated_count; from += lanes) {
-    const int used = lanes_left(from, sorter.lubricated_count);
-    lubricate(task.particles, task.lubrication,
-              PairLanes(task.first, task.second, task.lubricated, from, used), used);
-  }
+  for (std::size_t from = 0; from < sorter.films; from += lanes)
+    lubricate(task.particles, task.lubrication, task.film_first + from, task.film_second + from,
+              lanes_left(from, sorter.films));
   return {static_cast<std::int64_t>(count), stdx::hmax(deepest)};
 }
 

@@ -7,77 +7,67 @@
 namespace clog {
 namespace {
 
-/// The particles of a vector's worth of candidates, and their planes.
-struct PlaneLanes {
-  int slot[lanes], i[lanes];
+/// Particles over their planes.
+struct OverPlane {
+  Placed particle;
   Vector<Lanes> normal;
+  Lanes height;  // of the centre over the plane [m]
 
-  PlaneLanes(const PlaneTask& task, const int* list, std::size_t from, int used) {
-    for (int k = 0; k < lanes; ++k) {
-      const std::size_t at = from + (k < used ? k : used - 1);
-      slot[k] = list ? list[at] : static_cast<int>(at);
-      i[k] = task.particle[slot[k]];
-    }
-    normal = {load(task.nx, slot), load(task.ny, slot), load(task.nz, slot)};
-  }
-
-  /// Height of a particle's centre over its plane [m].
-  Lanes height(const PlaneTask& task, const Placed& a) const {
-    return dot(normal, a.position) - load(task.offset, slot);
-  }
+  OverPlane(const PlaneTask& task, Index i, Index slot)
+      : particle(load_place(task.particles, i)),
+        normal{load(task.nx, slot), load(task.ny, slot), load(task.nz, slot)},
+        height(dot(normal, particle.position) - load(task.offset, slot)) {}
 };
 
 template <ContactTerms terms>
 Lanes collide_plane(const PlaneTask& task, std::size_t from, int used) {
   const ParticlePointers& p = task.particles;
-  const PlaneLanes plane(task, task.contacts.candidate, from, used);
-  const Placed a = load_place(p, plane.i);
-  const Moving m = load_motion(p, plane.i);
+  const Index i = task.contacts.first + from;
+  const OverPlane over(task, i, task.contacts.second + from);
+  const Moving m = load_motion(p, i);
+  const Lanes radius = over.particle.radius;
   ContactGeometry<Lanes> contact;
-  contact.normal = plane.normal;
-  contact.overlap = a.radius - plane.height(task, a);
-  contact.radius = a.radius;
+  contact.normal = over.normal;
+  contact.overlap = radius - over.height;
+  contact.radius = radius;
   contact.mass = m.mass;
-  contact.arm_i = a.radius - Lanes(0.5) * contact.overlap;
+  contact.arm_i = radius - Lanes(0.5) * contact.overlap;
   contact.arm_j = Lanes(0.0);
   const Vector<Lanes> still{Lanes(0.0), Lanes(0.0), Lanes(0.0)};
-  const ContactMotion<Lanes> motion{m.velocity, load_spin(p, plane.i), still};
+  const ContactMotion<Lanes> motion{m.velocity, load_spin(p, i), still};
   Springs<Lanes> springs = load_springs<terms>(task.contacts, from);
   const ContactLoads<Lanes> loads = contact_loads<terms>(task.law, contact, motion, task.dt, springs);
   store_springs<terms>(task.contacts, from, springs);
-  add_force(p, plane.i, loads.force, used);
+  add_force(p, i, loads.force, used);
   if constexpr (terms.sliding || terms.rolling || terms.torsion)
-    add_torque(p, plane.i, loads.torque_i, used);
-  return contact.overlap;
+    add_torque(p, i, loads.torque_i, used);
+  return used_lanes(contact.overlap, used);
 }
 
-void lubricate_plane(const PlaneTask& task, const PlaneLanes& plane, int used) {
-  const ParticlePointers& p = task.particles;
-  const Placed a = load_place(p, plane.i);
-  const Lanes film = max(plane.height(task, a) - a.radius, Lanes(task.lubrication.nearest));
-  const Lanes coefficient = lubrication_coefficient(task.lubrication.viscosity, a.radius, film);
-  const Lanes speed = dot(plane.normal, load_motion(p, plane.i).velocity);
-  add_force(p, plane.i, (-(coefficient * speed)) * plane.normal, used);
+void lubricate_plane(const PlaneTask& task, Index i, Index slot, int used) {
+  const OverPlane over(task, i, slot);
+  const Lanes film = max(over.height - over.particle.radius, Lanes(task.lubrication.nearest));
+  const Lanes coefficient =
+      lubrication_coefficient(task.lubrication.viscosity, over.particle.radius, film);
+  const Lanes speed = dot(over.normal, load_motion(task.particles, i).velocity);
+  add_force(task.particles, i, (-(coefficient * speed)) * over.normal, used);
 }
 
 template <ContactTerms terms>
 [[gnu::flatten]] ContactTally collide_planes(const PlaneTask& task) {
-  Sorter sorter{task.contacts, task.lubrication, task.lubricated};
+  Sorter sorter{task.contacts, task.lubrication, task.film_first, task.film_second};
   for (std::size_t from = 0; from < task.count; from += lanes) {
-    const int used = lanes_left(from, task.count);
-    const PlaneLanes plane(task, nullptr, from, used);
-    const Placed a = load_place(task.particles, plane.i);
-    const Lanes gap = plane.height(task, a) - a.radius;
-    for (int k = 0; k < used; ++k) sorter.sort(from + k, gap[k]);
+    const Index i = task.particle + from, slot = task.slot + from;
+    const OverPlane over(task, i, slot);
+    sorter.sort(over.height - over.particle.radius, from, i, slot, lanes_left(from, task.count));
   }
   const std::size_t count = *task.contacts.count;
   Lanes deepest(0.0);
   for (std::size_t from = 0; from < count; from += lanes)
     deepest = max(deepest, collide_plane<terms>(task, from, lanes_left(from, count)));
-  for (std::size_t from = 0; from < sorter.lubricated_count; from += lanes) {
-    const int used = lanes_left(from, sorter.lubricated_count);
-    lubricate_plane(task, PlaneLanes(task, task.lubricated, from, used), used);
-  }
+  for (std::size_t from = 0; from < sorter.films; from += lanes)
+    lubricate_plane(task, task.film_first + from, task.film_second + from,
+                    lanes_left(from, sorter.films));
   return {static_cast<std::int64_t>(count), stdx::hmax(deepest)};
 }
 

@@ -6,42 +6,53 @@
 namespace clog {
 namespace {
 
-void begin_contact(const ContactPointers& contacts, std::size_t candidate) {
+void begin_contact(const ContactPointers& contacts, int candidate, int first, int second) {
   const std::size_t at = (*contacts.count)++;
   contacts.position[candidate] = static_cast<int>(at);
-  contacts.candidate[at] = static_cast<int>(candidate);
+  contacts.candidate[at] = candidate;
+  contacts.first[at] = first;
+  contacts.second[at] = second;
   for (double* spring : contacts.spring) spring[at] = 0;
 }
 
-void end_contact(const ContactPointers& contacts, std::size_t candidate) {
+/// The last contact takes the place of the one that ends.
+void end_contact(const ContactPointers& contacts, int candidate) {
   const int at = contacts.position[candidate];
   const std::size_t last = --(*contacts.count);
   contacts.position[candidate] = -1;
   if (static_cast<std::size_t>(at) == last) return;
   for (double* spring : contacts.spring) spring[at] = spring[last];
-  contacts.candidate[at] = contacts.candidate[last];
+  for (int* indices : {contacts.candidate, contacts.first, contacts.second})
+    indices[at] = indices[last];
   contacts.position[contacts.candidate[at]] = at;
 }
 
+/// Sorts candidates by their gap into touching, lubricated or neither.
 struct Sorter {
   ContactPointers contacts;
   LubricationLaw law;
-  int* lubricated;
-  std::size_t lubricated_count = 0;
+  int *film_first, *film_second;
+  std::size_t films = 0;
 
-  void sort(std::size_t candidate, double gap) {
-    const bool touches = gap < 0;
-    if (touches != (contacts.position[candidate] >= 0)) {
-      if (touches) {
-        begin_contact(contacts, candidate);
-      } else {
-        end_contact(contacts, candidate);
+  void sort(const Lanes& gap, std::size_t from, Index first, Index second, int used) {
+    double gaps[lanes];
+    gap.copy_to(gaps, stdx::element_aligned);
+    for (int k = 0; k < used; ++k) {
+      const int candidate = static_cast<int>(from) + k;
+      const bool touches = gaps[k] < 0;
+      if (touches != (contacts.position[candidate] >= 0)) {
+        if (touches) {
+          begin_contact(contacts, candidate, first[k], second[k]);
+        } else {
+          end_contact(contacts, candidate);
+        }
+      }
+      if (law.viscosity > 0) {
+        film_first[films] = first[k];
+        film_second[films] = second[k];
+        films += !touches && gaps[k] <= law.farthest && (law.clamp || gaps[k] >= law.nearest);
       }
     }
-    // Without lubrication `farthest` is 0, and a candidate in reach never has a gap of exactly 0 twice.
-    const bool films = !touches && gap <= law.farthest && (law.clamp || gap >= law.nearest);
-    lubricated[lubricated_count] = static_cast<int>(candidate);
-    lubricated_count += films && law.viscosity > 0;
   }
 };
 
