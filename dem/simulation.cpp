@@ -196,11 +196,11 @@ void Simulation::compute_forces() {
   laws.dt = dt;
   kernels_.pack(p);
   pair_tally_ = kernels_.collide_pairs(
-      {p, n.first.data(), n.second.data(), n.first.size(), n.contacts.pointers(),
-       n.scratch_lubricated.data(), pair_law_, model_.lubrication, dt},
+      {p, n.first.data(), n.second.data(), n.count, n.contacts.pointers(),
+       n.contacts.film_first.data(), n.contacts.film_second.data(), pair_law_, model_.lubrication, dt},
       model_.pair_terms);
-  if (!n.far_first.empty())
-    kernels_.lubricate_far({p, n.far_first.data(), n.far_second.data(), n.far_first.size(),
+  if (n.far_count > 0)
+    kernels_.lubricate_far({p, n.far_first.data(), n.far_second.data(), n.far_count,
                             model_.lubrication});
   wall_tally_ = walls_.collide_planes(particles_, kernels_, laws);
   kernels_.unpack(p);
