@@ -17,8 +17,9 @@ PANEL = 4.3                 # width of a panel [inch]
 
 
 def candidates(statistics, index):
-    """(burst size, file, times before, within, after) of every burst whose three moments were recorded."""
+    """(passages around the middle moment, file, moments) of every burst whose three moments were recorded."""
     group = statistics.groups[index]
+    tau = group["geometry"]["diameter"] / (group["geometry"]["mean_velocity"] or np.inf)
     files = {entry["seed"]: entry for entry in group["runs"]}
     bursts = {}
     for row in statistics.rows("bursts", index):
@@ -33,9 +34,9 @@ def candidates(statistics, index):
             inside = events.passage_times[events.passage_times >= row["start [s]"] - 1e-12][: int(row["s [1]"])]
             if len(inside) < 2:
                 continue
-            moments = pick(times, inside, quiet_span(events, inside, files[seed]["end"]))
+            moments = pick(times, inside, quiet_span(events, inside, files[seed]["end"]), tau)
             if moments:
-                found.append((row["s [1]"], files[seed]["file"], moments))
+                found.append((passing(inside, moments[1], tau), files[seed]["file"], moments))
     return found
 
 
@@ -52,19 +53,29 @@ def quiet_span(events, inside, end):
     return before, after
 
 
-def pick(times, inside, quiet):
-    """Recorded moments in the middle of the clog before, of the burst, and of the clog after, or None."""
-    moments = []
-    for start, end in (quiet[0], (inside[0], inside[-1]), quiet[1]):
-        within = times[(times >= start) & (times <= end)]
-        if len(within) == 0:
+def passing(passages, moment, tau):
+    """How many particles pass within half a tau of a moment: a burst is best seen where it is densest."""
+    return int(np.sum(np.abs(passages - moment) <= tau / 2))
+
+
+def pick(times, inside, quiet, tau):
+    """Recorded moments in the middle of the clog before, at the height of the burst, and in the middle of
+    the clog after, or None."""
+    within = times[(times >= inside[0]) & (times <= inside[-1])]
+    if len(within) == 0:
+        return None
+    burst = max(within, key=lambda moment: passing(inside, moment, tau))
+    moments = [burst]
+    for (start, end), place in ((quiet[0], 0), (quiet[1], 2)):
+        still = times[(times >= start) & (times <= end)]
+        if len(still) == 0:
             return None
-        moments.append(within[np.argmin(np.abs(within - 0.5 * (start + end)))])
+        moments.insert(place, still[np.argmin(np.abs(still - 0.5 * (start + end)))])
     return moments
 
 
 def choose(statistics, index):
-    """The largest burst that was recorded; failing that three moments of the first run with snapshots."""
+    """The densest burst that was recorded; failing that three moments of the first run with snapshots."""
     found = candidates(statistics, index)
     if found:
         _, file, moments = max(found, key=lambda entry: entry[0])
