@@ -1,5 +1,6 @@
 // The program `clog`: finds the verb, and turns every refusal into one line on standard error.
 
+#include <csignal>
 #include <cstdio>
 #include <exception>
 
@@ -7,6 +8,8 @@
 #include "coupling/require.hpp"
 
 int main(int argc, char** argv) {
+  // A limit on the size of files is then an error of the write, with a line, and not the end.
+  std::signal(SIGXFSZ, SIG_IGN);
   CLI::App app{"clogflow: clogging of suspensions, from the flow field to the statistics", "clog"};
   app.require_subcommand(1);
   app.set_version_flag("--version", CLOG_VERSION);
