@@ -79,8 +79,11 @@ public:
     last_ = Clock::now();
     try {
       checkpoint_.save(simulation_.save());
+      problem_.clear();
     } catch (const std::exception& error) {
-      say_(fmt::format("the state could not be saved: {}", error.what()));
+      // A disk that stays full is said once.
+      if (problem_ != error.what()) say_(fmt::format("the state could not be saved: {}", error.what()));
+      problem_ = error.what();
       if (stop) throw;
     }
     if (stop) throw Stopped{};
@@ -93,6 +96,7 @@ private:
   double interval_;
   const std::atomic<bool>* stop_;
   std::function<void(const std::string&)> say_;
+  std::string problem_;  // of the last save
   Clock::time_point last_ = Clock::now();
 };
 
