@@ -1,1 +1,116 @@
-#include <gtest/gtest.h>
+// Killed at any moment, asked to stop, started twice: the results are those of an undisturbed run.
+#include <random>
+
+#include <gmock/gmock.h>
+
+#include "dem/checkpoint.hpp"
+#include "tests/faults/program.hpp"
+
+namespace clog::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+/// What is saved of a seed: nothing, a state while filling, or one while running.
+std::string saved_stage(const SmallJob& job, const std::string& out, std::uint64_t seed) {
+  const auto file = job.path(out) / run_file_name(seed);
+  const std::string state = text_of(std::filesystem::path(file).replace_extension(".state"));
+  constexpr std::size_t header = 17 + 32;  // version, two hashes
+  if (state.size() <= header) return "nothing";
+  Scene scene = job.scene;
+  scene.ensemble.seeds = {seed};
+  Simulation simulation(scene, &job.flow, seed);
+  simulation.resume(state.substr(header));
+  return simulation.data().series.time.empty() ? "filling" : "running";
+}
+
+TEST(Killed, FiftyTimesWithTheSameBits) {
+  const SmallJob job({"time.end=60 ms"});
+  // A whole seed sets the measure, so that a slow machine gets as far between two kills.
+  const auto before = std::chrono::steady_clock::now();
+  ASSERT_EQ(job.complete("undisturbed", "1"), "");
+  const std::chrono::duration<double, std::milli> whole = std::chrono::steady_clock::now() - before;
+  const unsigned longest = std::max(40u, static_cast<unsigned>(0.6 * whole.count()));
+  constexpr int kills = 50;
+  std::mt19937 random(2024);
+  std::map<std::string, int> stages;
+  int killed = 0;
+  std::uint64_t seed = 1;
+  // From 0: in the start, while reading, while writing; to where a seed or two is done.
+  for (int call = 0; call < 500 && killed < kills; ++call) {
+    const Program program = job.start("killed", "1-99");
+    sleep_ms(static_cast<int>(random() % longest));
+    program.send(SIGKILL);
+    if (program.wait() == 0) break;
+    ++killed;
+    while (std::filesystem::exists(job.path("killed") / run_file_name(seed))) ++seed;
+    ++stages[saved_stage(job, "killed", seed)];
+  }
+  ASSERT_EQ(killed, kills) << "the job was done before";
+  EXPECT_GE(stages["filling"], 3);
+  EXPECT_GE(stages["running"], 3);
+  const std::string met = fmt::format("1-{}", seed);
+  ASSERT_EQ(job.complete("killed", met), "");
+  ASSERT_EQ(job.complete("undisturbed", met), "");
+  for (std::uint64_t k = 1; k <= seed; ++k)
+    EXPECT_TRUE(job.result("killed", k) == job.result("undisturbed", k)) << "seed " << k;
+  for (const auto& entry : std::filesystem::directory_iterator(job.path("killed")))
+    EXPECT_THAT(entry.path().string(), Not(HasSubstr(".state")));
+  fmt::print("seeds met {}, states left: nothing {}, filling {}, running {}\n", seed, stages["nothing"],
+             stages["filling"], stages["running"]);
+}
+
+class Asked : public testing::TestWithParam<int> {};
+
+TEST_P(Asked, ToStopItSavesAndEndsWell) {
+  const SmallJob job(longer);
+  const Program program = job.start("stopped", "1-2");
+  ASSERT_TRUE(appears(job.path("stopped/run_0001.state")));
+  program.send(GetParam());
+  EXPECT_EQ(program.wait(), 0);
+  EXPECT_THAT(program.said(), HasSubstr("seed 1: stopped; its state is saved"));
+  EXPECT_THAT(program.said(), Not(HasSubstr("seed 2")));
+  EXPECT_FALSE(std::filesystem::exists(job.path("stopped/run_0001.h5")));
+  EXPECT_FALSE(std::filesystem::exists(job.path("stopped/run_0001.lock")));
+  ASSERT_EQ(job.complete("stopped", "1"), "");
+  ASSERT_EQ(job.complete("undisturbed", "1"), "");
+  EXPECT_TRUE(job.result("stopped", 1) == job.result("undisturbed", 1));
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, Asked, testing::Values(SIGTERM, SIGINT));
+
+TEST(Killed, RightAfterItWroteItsFileItLeavesNoStateForEver) {
+  const SmallJob job;
+  ASSERT_EQ(job.complete("out", "1"), "");
+  write_file(job.path("out/run_0001.state"), "left over");
+  ASSERT_EQ(job.complete("out", "1"), "");
+  EXPECT_FALSE(std::filesystem::exists(job.path("out/run_0001.state")));
+}
+
+TEST(TwoCalls, OnOneDirectoryDoNotMeet) {
+  const SmallJob job(longer);
+  const Program first = job.start("out", "1");
+  ASSERT_TRUE(appears(job.path("out/run_0001.state")));
+  const Program second({"run", job.path("scene.toml"), "--flow", job.path("flow.h5"), "--out",
+                        job.path("out"), "--seeds", "1-2"},
+                       job.path("log_of_second"));
+  EXPECT_EQ(second.wait(), 1);
+  EXPECT_THAT(second.said(), HasSubstr("seed 1: "));
+  EXPECT_THAT(second.said(), HasSubstr("run_0001.lock (another call is at work on this seed)"));
+  EXPECT_THAT(second.said(), HasSubstr("1 of 2 seeds failed"));
+  EXPECT_EQ(first.wait(), 0) << first.said();
+  ASSERT_EQ(job.complete("undisturbed", "1-2"), "");
+  for (const std::uint64_t seed : {1, 2})
+    EXPECT_TRUE(job.result("out", seed) == job.result("undisturbed", seed)) << seed;
+}
+
+TEST(TwoCalls, ALockOfADeadProcessHoldsNothing) {
+  const SmallJob job;
+  write_file(job.path("out/run_0001.lock"), "");
+  EXPECT_EQ(job.complete("out", "1"), "");
+  EXPECT_FALSE(std::filesystem::exists(job.path("out/run_0001.lock")));
+}
+
+}  // namespace
+}  // namespace clog::test
