@@ -1,14 +1,25 @@
 // Checks that concern more than one key: each says the value, and what it must agree with.
 #include <algorithm>
+#include <cmath>
 
 #include "coupling/require.hpp"
 #include "coupling/scene_draft.hpp"
+#include "coupling/scene_keys.hpp"
 #include "coupling/units.hpp"
 
 namespace clog {
 namespace {
 
 std::string metres(double value) { return format_quantity(value, dimension::length); }
+
+/// A default is computed from other values, and extreme ones make it infinite.
+void check_defaults(const SceneDraft& draft) {
+  Scene scene = draft.scene;
+  for (const Key& key : scene_keys())
+    if (const auto* number = std::get_if<NumberSlot>(&key.slot))
+      require(std::isfinite(number->at(scene)), "{} (must be a finite number: give it, or less extreme values)",
+              draft.says(key.path));
+}
 
 void check_walls(const SceneDraft& draft) {
   const auto& geometry = draft.scene.geometry;
@@ -100,6 +111,7 @@ void check_times(const SceneDraft& draft) {
 }  // namespace
 
 void check_scene(const SceneDraft& draft) {
+  check_defaults(draft);
   check_walls(draft);
   check_particles(draft);
   check_flow(draft);
