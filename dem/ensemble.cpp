@@ -135,6 +135,7 @@ std::string run_seed(const Ensemble& ensemble, const std::string& inputs, std::u
     }
   };
   checkpoint.load(resume, say);
+  simulation->on_note(say);
   Saver saver(*simulation, checkpoint, ensemble, say);
   RunData run = simulation->run([&](const Progress& progress) {
     saver.look();

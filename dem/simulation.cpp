@@ -13,12 +13,6 @@ namespace clog {
 
 namespace {
 
-/// A particle that moves farther than this share of its radius in one step has been thrown.
-constexpr double longest_way = 0.5;
-
-/// An overlap beyond this share of the radius has no meaning in Hertz's theory.
-constexpr double deepest_overlap = 0.5;
-
 /// The channel counts as full when nothing was inserted for this many tau and it is at rest.
 constexpr double full_after = 1.0;
 
@@ -66,6 +60,7 @@ Simulation::Simulation(const Scene& scene, const FlowGrid* flow, std::uint64_t s
 
 RunData Simulation::run(const Watcher& watcher) {
   clock_ = Clock::now();
+  announce_step();
   fill(watcher);
   while (step_ < model_.steps) {
     if (watcher && step_ % watch_every == 0)
@@ -76,6 +71,7 @@ RunData Simulation::run(const Watcher& watcher) {
                false});
     compute_forces();
     record();
+    watch_step();
     advance();
   }
   compute_forces();
@@ -94,6 +90,7 @@ void Simulation::fill(const Watcher& watcher) {
                true});
     const std::int64_t before = inlet_.inserted();
     compute_forces();
+    watch_step();
     advance();
     if (inlet_.inserted() != before) filling_.last_insertion = time();
     if (filling_.stage == Filling::Stage::tap && time() >= filling_.stage_began + tap_time) {
@@ -150,6 +147,7 @@ void Simulation::open_gate() {
   inlet_.restart_clock();
   drag_work_ = body_work_ = 0;
   watch_ = ClogWatch(model_.scene);
+  step_watch_.stored = -1;
 }
 
 void Simulation::set_walls(bool gate_closed) {
@@ -229,31 +227,6 @@ void Simulation::advance() {
   particle_steps_ += static_cast<double>(particles_.size());
   ++step_;
   if (filling_.stage == Filling::Stage::done) find_passages();
-}
-
-void Simulation::check(const AdvanceTally& tally) const {
-  const double least = particles_.size()
-                           ? *std::min_element(particles_.radius.begin(), particles_.radius.end())
-                           : 0;
-  const double overlap = std::max(pair_tally_.largest_overlap, wall_tally_.largest_overlap);
-  const bool thrown = !(tally.largest_speed * model_.dt <= longest_way * least);
-  if (particles_.size() == 0 || (!thrown && overlap <= deepest_overlap * 2 * least)) return;
-  int worst = 0;
-  double fastest = -1;
-  for (std::size_t i = 0; i < particles_.size(); ++i) {
-    const double speed = std::hypot(particles_.vx[i], particles_.vy[i], particles_.vz[i]);
-    if (speed <= fastest) continue;
-    worst = static_cast<int>(i);
-    fastest = speed;
-    if (std::isnan(speed)) break;
-  }
-  const auto& p = particles_;
-  throw Error(fmt::format(
-      "blow-up at step {} (t = {:.6g} s): particle {} at ({:.4g}, {:.4g}, {:.4g}) m moves at {:.3g} "
-      "m/s under a force of {:.3g} N, largest overlap {:.3g} m; lower time.step_fraction or raise "
-      "contact.youngs_modulus",
-      step_, time(), p.id[worst], p.x[worst], p.y[worst], p.z[worst], fastest,
-      std::hypot(p.fx[worst], p.fy[worst], p.fz[worst]), overlap));
 }
 
 void Simulation::feed_inlet(double time) {

@@ -11,8 +11,10 @@
 #include "dem/kernels.hpp"
 #include "dem/model.hpp"
 #include "dem/neighbours.hpp"
+#include "dem/network_limit.hpp"
 #include "dem/particles.hpp"
 #include "dem/random.hpp"
+#include "dem/step_watch.hpp"
 #include "dem/wall_contacts.hpp"
 
 namespace clog {
@@ -40,6 +42,12 @@ public:
 
   /// Runs to the end. \throws Error if it blows up or loses a particle
   RunData run(const Watcher& watcher = {});
+
+  /// Who is told, in one line, of the step's limits and of a step near them.
+  void on_note(std::function<void(const std::string&)> say) { say_ = std::move(say); }
+
+  /// Largest stable step of the present contacts, films and drag; after compute_forces().
+  NetworkLimit::Bound network_limit() const;
 
   /// Everything that the next step depends on, and all that was recorded, as bytes; between two steps
   /// only, that is from a watcher. A simulation of the same scene and seed that resumes from it goes on
@@ -80,12 +88,18 @@ private:
   void feed_inlet(double time);
   void take_out();
   void rebuild_lists();
+  void announce_step();  ///< \throws Error if the step is too large
+  void watch_step();     ///< now and then: the limit of the contacts, and energy from nothing
   void check(const AdvanceTally& tally) const;
+  [[noreturn]] void blow_up(const char* cause) const;
+  void add_pair(NetworkLimit& network, int i, int j) const;
+  void add_film(NetworkLimit& network, int i, int j) const;
   void find_passages();
   void set_friction(bool on);
   void sample_series();
   void sample_snapshot();
   double elastic_energy() const;
+  double kinetic_energy() const;
   Vector<double> velocity_now(int i) const;  ///< at the time of the positions
   Vector<double> spin_now(int i) const;
   Vector<double> total_force(int i) const;
@@ -98,7 +112,8 @@ private:
     if (Archive::loading && gate_closed_) set_walls(true);
     archive(random_, inlet_, watch_, particles_, neighbours_, walls_, fluid_, pair_law_, wall_law_,
             data_, step_, kick_, drifted_, lists_stale_, next_insertion_, next_porosity_, next_series_,
-            next_snapshot_, particle_steps_, drag_work_, body_work_, energy_in_, filling_, seconds_);
+            next_snapshot_, particle_steps_, drag_work_, body_work_, energy_in_, filling_,
+            step_watch_, seconds_);
   }
 
   Model model_;
@@ -123,6 +138,8 @@ private:
   double drag_work_ = 0, body_work_ = 0;
   double energy_in_ = 0;       // kinetic and elastic energy at the start, and of what came and went [J]
   Filling filling_;
+  StepWatch step_watch_;
+  std::function<void(const std::string&)> say_;
   bool gate_closed_ = false;
   using Clock = std::chrono::steady_clock;
   double seconds_ = 0;         // of wall-clock time spent before clock_ [s]

@@ -144,6 +144,7 @@ void Simulation::finish() {
   p["particle_steps_per_s"] = seconds_ > 0 ? particle_steps_ / seconds_ : 0;
   p["time_step_s"] = model_.dt;
   p["contact_time_s"] = model_.contact_time;
+  if (std::isfinite(step_watch_.smallest_limit)) p["contact_limit_s"] = step_watch_.smallest_limit;
   p["fill_time_s"] = filling_.duration;
   p["fill_at_rest"] = filling_.at_rest;
   p["inserted"] = inlet_.inserted();

@@ -9,7 +9,7 @@ namespace {
 
 /// Spheres that fly through an STL tube (one far away triangle) past the plane x = 1.
 Scene flight(const ScratchFile& stl) {
-  Scene s = laboratory_scene({1e6, 0.3, 1000, 0.1}, 0.01);
+  Scene s = laboratory_scene({1e5, 0.3, 1000, 0.1}, 0.01);
   s.geometry.present = true;
   s.geometry.stl = stl.name();
   s.passages.plane = 1;

@@ -15,7 +15,7 @@ clog_tests(test_dem_parts
           dem/test_stl.cpp dem/test_flow_field.cpp
   LIBRARIES clog_dem LABELS unit)
 clog_tests(test_channel_parts
-  SOURCES dem/test_inlet.cpp dem/test_refusals.cpp
+  SOURCES dem/test_inlet.cpp dem/test_refusals.cpp dem/test_step_limit.cpp
   LIBRARIES clog_dem LABELS unit)
 clog_tests(test_channel_runs
   SOURCES dem/test_channel_runs.cpp

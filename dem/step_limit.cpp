@@ -1,0 +1,140 @@
+#include "dem/step_limit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "coupling/require.hpp"
+#include "dem/physics/dimensionless.hpp"
+#include "dem/physics/lubrication.hpp"
+#include "dem/physics/time_step.hpp"
+
+namespace clog {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// As in dem/plan.cpp: porosity of a pack at rest, and the particles whose drag an arch carries.
+constexpr double pack_porosity = 0.55;
+constexpr double arch_load = 20;
+
+double smallest_radius(const Scene& scene, const std::vector<Particle>& initial) {
+  double radius = initial.empty() || scene.inlet.enabled ? scene.particles.diameter / 2 : infinite;
+  for (const Particle& p : initial) radius = std::min(radius, p.radius);
+  return radius;
+}
+
+double flow_speed(const Scene& s) {
+  const auto& u = s.flow.velocity;
+  return std::max(s.flow.mean_velocity, std::hypot(u[0], u[1], u[2]));
+}
+
+double voidage(const Scene& s) {
+  return s.porosity.strips > 0 ? voidage_function(pack_porosity) : 1.0;
+}
+
+/// Largest overlap of an elastic Hertz impact: (15 m* v^2 / (16 E* sqrt(R*)))^(2/5).
+/// \source K. L. Johnson, Contact Mechanics, Eq. (11.21)
+double impact_overlap(double mass, double speed, const ContactLaw& law, double radius) {
+  return std::pow(15 * mass * speed * speed / (16 * law.modulus * std::sqrt(radius)), 0.4);
+}
+
+double expected_overlap(const Model& model, const Particle& sphere, const std::vector<Particle>& initial) {
+  const Scene& s = model.scene;
+  const double d = 2 * sphere.radius, v = flow_speed(s);
+  double impact = v > 0 ? collision_speed_share * v : 0;
+  for (const Particle& p : initial) impact = std::max(impact, std::hypot(p.vx, p.vy, p.vz));
+  const auto& f = s.body_force;
+  double load = arch_load * std::hypot(f[0], f[1], f[2]);
+  if (s.drag.enabled)
+    load += arch_load * voidage(s) * stokes_coefficient(s.fluid.viscosity, d) * v /
+            (s.porosity.strips > 0 ? pack_porosity : 1);
+  return std::max(impact_overlap(sphere.mass / 2, impact, model.pair_law, d / 4),
+                  hertz_overlap(load, model.pair_law.modulus, d / 4));
+}
+
+/// A sphere between two walls' worth of contacts: one wall and five neighbours along the axes, the densest
+/// load that a pack offers; all at the same overlap.
+double pack_limit(const Model& model, const Particle& sphere, double overlap) {
+  Particles p;
+  for (int k = 0; k < 6; ++k) p.add(sphere);
+  NetworkLimit network(p);
+  const double r = sphere.radius, arm = r - overlap / 2;
+  const Vector<double> axes[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}};
+  for (int k = 0; k < 5; ++k)
+    network.add_contact(0, k + 1,
+                        contact_modes(model.pair_law, model.pair_terms,
+                                      {axes[k], overlap, r / 2, sphere.mass / 2, arm, arm}));
+  if (!model.walls.empty())
+    network.add_contact(0, -1,
+                        contact_modes(model.wall_laws.contact, model.wall_laws.terms,
+                                      {{0, 0, -1}, overlap, r, sphere.mass, arm, 0}));
+  return network.bound().step;
+}
+
+}  // namespace
+
+double StepLimits::smallest() const { return std::min({drag, lubrication, contacts}); }
+
+StepLimits expected_limits(const Model& model, const std::vector<Particle>& initial) {
+  const Scene& s = model.scene;
+  const Particle sphere = model.particle(smallest_radius(s, initial));
+  const double d = 2 * sphere.radius;
+  const double shear = s.contact.youngs_modulus / (2 * (1 + s.contact.poisson_ratio));
+  StepLimits limits;
+  limits.contact_time = model.contact_time;
+  limits.rayleigh_time = rayleigh_time(sphere.radius, s.particles.density * s.time.mass_scale, shear,
+                                       s.contact.poisson_ratio);
+  limits.drag = limits.lubrication = limits.contacts = infinite;
+  if (s.drag.enabled && s.time.integrator == Integrator::verlet)
+    limits.drag = stable_step(0, voidage(s) * stokes_coefficient(s.fluid.viscosity, d) / sphere.mass);
+  if (model.lubrication.viscosity > 0) {
+    const auto& film = model.lubrication;
+    limits.lubrication = stable_step(
+        0, 2 * lubrication_coefficient(film.viscosity, d / 4, film.nearest) / sphere.mass);
+    if (model.wall_laws.lubrication.viscosity > 0)
+      limits.lubrication = std::min(
+          limits.lubrication,
+          stable_step(0, lubrication_coefficient(film.viscosity, d / 2, film.nearest) / sphere.mass));
+  }
+  const double overlap = expected_overlap(model, sphere, initial);
+  limits.expected_overlap = overlap / d;
+  if (overlap > 0) limits.contacts = pack_limit(model, sphere, overlap);
+  return limits;
+}
+
+std::string describe(const StepLimits& l, double dt) {
+  std::string line = fmt::format("dt = {:.3g} s", dt);
+  const auto ratio = [&](const char* name, double limit) {
+    if (limit > 0 && std::isfinite(limit)) line += fmt::format(", dt/{} {:.2g}", name, dt / limit);
+  };
+  ratio("tau_Hertz", l.contact_time);
+  ratio("Rayleigh", l.rayleigh_time);
+  ratio("drag limit", l.drag);
+  ratio("lubrication limit", l.lubrication);
+  ratio("contact limit", l.contacts);
+  return line;
+}
+
+std::string check_step(const StepLimits& l, const Model& model) {
+  require(l.expected_overlap <= deepest_overlap,
+          "overlaps of {:.2g} diameters are to be expected (no more than {} means anything): raise "
+          "contact.youngs_modulus or slow the flow",
+          l.expected_overlap, deepest_overlap);
+  const double limit = l.smallest(), dt = model.dt;
+  const char* force = limit == l.drag ? "drag" : limit == l.lubrication ? "lubrication" : "the contacts";
+  const char* remedy = limit == l.drag ? "set time.integrator = \"implicit_drag\", "
+                                         "lower time.step_fraction or raise time.mass_scale"
+                       : limit == l.lubrication
+                           ? "lower time.step_fraction, raise time.mass_scale or particles.roughness"
+                           : "lower time.step_fraction or contact.youngs_modulus";
+  require(dt <= limit, "the step of {:.3g} s is unstable: {} allow{} {:.3g} s; {}", dt, force,
+          limit == l.contacts ? "" : "s", limit, remedy);
+  if (dt <= near_limit * limit) return {};
+  return fmt::format("the step of {:.3g} s is near the limit of {}, {:.3g} s: {}", dt, force, limit, remedy);
+}
+
+}  // namespace clog

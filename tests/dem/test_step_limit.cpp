@@ -1,0 +1,152 @@
+// The predicted step limits against closed forms and against what runs do.
+#include <gmock/gmock.h>
+
+#include "dem/step_limit.hpp"
+#include "dem/step_watch.hpp"
+#include "tests/coupling/refusal.hpp"
+#include "tests/dem/laboratory.hpp"
+
+namespace clog::test {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// Unit sphere: mass and radius 1, a spring of its own along x.
+Particles unit_spheres(int count) {
+  Particles p;
+  for (int k = 0; k < count; ++k) p.add({.radius = 1, .mass = 1, .inertia = 0.4});
+  return p;
+}
+
+ContactModes spring(double stiffness, double dashpot) {
+  ContactModes modes;
+  modes.mode[modes.count++] = {stiffness, dashpot, {1, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+  return modes;
+}
+
+/// Leapfrog with the damping half a step late, for one mode: does the amplitude stay bounded?
+bool bounded(double stiffness, double damping, double dt) {
+  double x = 1, v = 1;
+  for (int k = 0; k < 20000; ++k) {
+    v -= dt * (stiffness * x + damping * v);
+    x += dt * v;
+    if (!(std::abs(x) < 1e6)) return false;
+  }
+  return true;
+}
+
+TEST(StableStep, IsTheEdgeOfTheScheme) {
+  for (const auto& [k, c] : {std::pair{1.0, 0.0}, {1.0, 0.5}, {1.0, 2.0}, {0.0, 1.0}, {1.0, 20.0}}) {
+    const double dt = stable_step(k, c);
+    EXPECT_TRUE(bounded(k, c, 0.999 * dt)) << k << " " << c;
+    EXPECT_FALSE(bounded(k, c, 1.002 * dt)) << k << " " << c;
+  }
+  EXPECT_DOUBLE_EQ(stable_step(4, 0), 1);  // 2 / w
+  EXPECT_DOUBLE_EQ(stable_step(0, 4), 0.5);  // 2 / g
+}
+
+TEST(NetworkLimit, OfOneSpringIsExact) {
+  const Particles p = unit_spheres(2);
+  NetworkLimit wall(p), pair(p);
+  wall.add_contact(0, -1, spring(4, 0.3));
+  EXPECT_NEAR(wall.bound().step, stable_step(4, 0.3), 2e-3 * stable_step(4, 0.3));
+  EXPECT_EQ(wall.bound().particle, 0);
+  pair.add_contact(0, 1, spring(4, 0.3));  // the reduced mass is a half
+  EXPECT_NEAR(pair.bound().step, stable_step(8, 0.6), 2e-3 * stable_step(8, 0.6));
+}
+
+TEST(NetworkLimit, IsInfiniteWhenNothingTouches) {
+  const Particles p = unit_spheres(1);
+  EXPECT_EQ(NetworkLimit(p).bound().step, std::numeric_limits<double>::infinity());
+}
+
+TEST(NetworkLimit, OfTorsionFeelsTheMomentOfInertia) {
+  // A wall, R* = r: torque 4 r^2 k w, so w^2 = 4 k r^2 / I = 10 k / m.
+  const Particles p = unit_spheres(1);
+  ContactLaw law{.modulus = 1, .shear_modulus = 0.5, .tangential_factor = 1};
+  const ContactGeometry<double> g{{0, 0, 1}, 0.01, 1, 1, 1, 0};
+  NetworkLimit network(p);
+  network.add_contact(0, -1, contact_modes(law, {false, false, true}, g));
+  const double k = 8 * 0.5 * 0.1;
+  EXPECT_NEAR(network.bound().step, 2 / std::sqrt(10 * k), 2e-3 * 2 / std::sqrt(10 * k));
+}
+
+TEST(NetworkLimit, ExplicitDragShortensTheStepAndImplicitDragLengthensIt) {
+  const Particles p = unit_spheres(1);
+  const auto step = [&](double drag, bool implicit) {
+    NetworkLimit network(p);
+    network.add_contact(0, -1, spring(4, 0));
+    network.add_drag(0, {drag, 0, implicit});
+    return network.bound().step;
+  };
+  EXPECT_LT(step(3, false), 0.8);
+  EXPECT_GT(step(3, true), 1.5);
+}
+
+/// A sphere on a floor under ten times a settling force.
+Scene pressed(double step) {
+  Scene s = laboratory_scene({3e6, 0.35, 1062, 33e-6}, step);
+  s.contact.restitution = 0.7;
+  set_friction(s, {0.6, 0.6, 0.6});
+  set_floor(s, 1e-3);
+  s.body_force = {0, 0, -1e-7};
+  s.time.end = 3000 * step;
+  return s;
+}
+
+TEST(StepLimits, AreNamedRefusedAndWarnedOf) {
+  const std::vector<Particle> one{{.radius = 16.5e-6, .z = 16.5e-6}};
+  const Model model = make_model(pressed(1e-8), nullptr, one);
+  const StepLimits limits = expected_limits(model, one);
+  EXPECT_THAT(describe(limits, model.dt), AllOf(HasSubstr("dt = 1e-08 s"), HasSubstr("dt/Rayleigh"),
+                                                HasSubstr("dt/contact limit")));
+  EXPECT_EQ(check_step(limits, model), "");
+  const auto at = [&](double share) { return make_model(pressed(share * limits.contacts), nullptr, one); };
+  EXPECT_THAT(check_step(limits, at(0.9)), HasSubstr("is near the limit of the contacts"));
+  EXPECT_THAT(refusal([&] { check_step(limits, at(1.1)); }),
+              AllOf(HasSubstr("is unstable: the contacts allow"), HasSubstr("lower time.step_fraction")));
+}
+
+TEST(StepLimits, OfStiffDragPointToTheImplicitIntegrator) {
+  Scene s = pressed(1e-6);
+  s.drag.enabled = true;
+  s.fluid.viscosity = 1;
+  EXPECT_THAT(refusal([&] {
+                const Model model = make_model(s, nullptr, {});
+                check_step(expected_limits(model, {}), model);
+              }),
+              AllOf(HasSubstr("drag allows"), HasSubstr("implicit_drag")));
+}
+
+TEST(StepLimits, ASceneThatMustCrushItsParticlesIsRefused) {
+  Scene s = pressed(1e-9);
+  s.body_force = {0, 0, -1};
+  EXPECT_THAT(refusal([&] {
+                const Model model = make_model(s, nullptr, {});
+                check_step(expected_limits(model, {}), model);
+              }),
+              AllOf(HasSubstr("overlaps of"), HasSubstr("raise contact.youngs_modulus")));
+}
+
+TEST(StepWatch, SeesEnergyThatNothingSupplied) {
+  StepWatch watch;
+  EXPECT_FALSE(watch.appeared(1, 0));    // the first look
+  EXPECT_FALSE(watch.appeared(10, 9));   // supplied
+  EXPECT_FALSE(watch.appeared(11, 9));   // too little to tell
+  EXPECT_FALSE(watch.appeared(5, 9));    // dissipated
+  EXPECT_TRUE(watch.appeared(50, 9));
+}
+
+TEST(StepWatch, DoesNotChangeTheBitsOfARun) {
+  const std::vector<Particle> few{{.radius = 16.5e-6, .z = 16e-6}, {.radius = 16.5e-6, .x = 33e-6, .z = 17e-6}};
+  Laboratory watched(pressed(2e-8), few), unwatched(pressed(2e-8), few);
+  watched->compute_forces(), unwatched->compute_forces();
+  watched->network_limit();
+  watched->advance(), unwatched->advance();
+  EXPECT_EQ(watched.position(1), unwatched.position(1));
+  EXPECT_EQ(watched.spin(1), unwatched.spin(1));
+}
+
+}  // namespace
+}  // namespace clog::test
