@@ -53,7 +53,7 @@ constexpr double r = 0.01;
 Scene dry(double restitution, const Friction& friction = {}) {
   Scene s = laboratory_scene({1e7, 0.2, 2800, 2 * r}, 1e-6);
   s.contact.restitution = restitution;
-  set_friction(s, friction);
+  test::set_friction(s, friction);
   return s;
 }
 

@@ -23,8 +23,14 @@ the reference, or absolute (marked "abs") where the reference is zero or a curve
 verifying discrete element modelling codes at particle impact level", Granular Matter 13 (2011) 643.
 )";
 
+/// A name as a cell of a table.
+std::string cell(std::string text) {
+  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) text.replace(at, 1, "\\|");
+  return text;
+}
+
 std::string row(const Check& c) {
-  return fmt::format("| {} | {:.6g} | {:.6g} | {:.2e}{} | {:.1e} | {} |\n", c.name, c.reference, c.ours, c.error(),
+  return fmt::format("| {} | {:.6g} | {:.6g} | {:.2e}{} | {:.1e} | {} |\n", cell(c.name), c.reference, c.ours, c.error(),
                      c.relative ? "" : " abs", c.limit, c.passed() ? "yes" : "**NO**");
 }
 
