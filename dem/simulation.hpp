@@ -49,6 +49,9 @@ public:
   /// Largest stable step of the present contacts, films and drag; after compute_forces().
   NetworkLimit::Bound network_limit() const;
 
+  double elastic_energy() const;  ///< of all springs, after compute_forces() [J]
+  double kinetic_energy() const;  ///< at the time of the positions [J]
+
   /// Everything that the next step depends on, and all that was recorded, as bytes; between two steps
   /// only, that is from a watcher. A simulation of the same scene and seed that resumes from it goes on
   /// with the same bits.
@@ -98,8 +101,6 @@ private:
   void set_friction(bool on);
   void sample_series();
   void sample_snapshot();
-  double elastic_energy() const;
-  double kinetic_energy() const;
   Vector<double> velocity_now(int i) const;  ///< at the time of the positions
   Vector<double> spin_now(int i) const;
   Vector<double> total_force(int i) const;

@@ -1,0 +1,42 @@
+// A toy of the stability map: the prediction is safe, every point ends in a verdict.
+#include <cmath>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "trade/stability.hpp"
+
+namespace clog {
+namespace {
+
+TEST(StabilityMap, PointsReachFarOnEveryAxis) {
+  double least = 1, largest = 0;
+  std::set<int> numbers;
+  for (const ExtremePoint& p : extreme_points(300)) {
+    numbers.insert(p.number);
+    least = std::min(least, p.diameter), largest = std::max(largest, p.diameter);
+    EXPECT_GE(p.porosity, 0.36);
+    EXPECT_LE(p.restitution, 1);
+    EXPECT_GE(p.particles, 1);
+  }
+  EXPECT_EQ(numbers.size(), 300u);
+  EXPECT_LT(least, 1.1e-6);
+  EXPECT_GT(largest, 0.9e-3);
+}
+
+TEST(StabilityMap, ThePredictionIsNeverAboveWhatIsMeasured) {
+  int measured = 0;
+  for (const ExtremePoint& point : extreme_points(20)) {
+    const StabilityResult r = measure(point);
+    EXPECT_NE(r.verdict, Verdict::unstable) << point.number;
+    EXPECT_TRUE(std::isfinite(r.predicted) && std::isfinite(r.measured)) << point.number;
+    if (r.measured == 0) continue;
+    ++measured;
+    // The bisection's own resolution is 3 %.
+    EXPECT_GE(r.measured, 0.97 * r.predicted) << point.number;
+  }
+  EXPECT_GE(measured, 10);
+}
+
+}  // namespace
+}  // namespace clog
