@@ -78,17 +78,22 @@ TEST(SameSeed, GivesTheSameBits) {
   EXPECT_NE(a.snapshots.back().position, other.snapshots.back().position);
 }
 
-TEST(SlowRun, DissipatesAndNeverGains) {
-  // The audit of a whole run with every term: what was dissipated never decreases by more than the
-  // elastic energy that a step may misplace.
+TEST(Run, DissipatesWhatTheFlowPutsInAndNeverGains) {
+  // Every term at work: what was dissipated may fall only by what springs of changing stiffness give
+  // back, a small share of all; what is not dissipated sits in the particles' speed and the springs.
   const Scene scene = short_channel_scene({"time.end=20 ms", "output.series_interval=0.1 ms"});
   const FlowGrid grid = synthetic_flow(scene);
   const RunData run = Simulation(scene, &grid, 1).run();
-  const auto& s = run.series;
-  ASSERT_GT(s.time.size(), 100u);
-  EXPECT_GT(s.drag_work.back(), 0);
-  EXPECT_GT(s.dissipated.back(), 0);
-  EXPECT_NEAR(s.dissipated.back() / s.drag_work.back(), 1, 0.05);
+  const auto& dissipated = run.series.dissipated;
+  ASSERT_GT(dissipated.size(), 100u);
+  double highest = 0, fall = 0;
+  for (const double value : dissipated) {
+    highest = std::max(highest, value);
+    fall = std::max(fall, highest - value);
+  }
+  EXPECT_LT(fall, 0.01 * dissipated.back());
+  EXPECT_GT(dissipated.back(), 0.8 * run.series.drag_work.back());
+  EXPECT_LT(dissipated.back(), 1.05 * run.series.drag_work.back());
 }
 
 }  // namespace

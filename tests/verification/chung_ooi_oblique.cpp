@@ -118,7 +118,7 @@ Group oblique_constant_normal() {
   Group group{"Chung & Ooi 5: oblique impact at constant normal velocity",
               "Sphere of 20 um, 5 m/s towards a rigid wall, friction 0.3, elastic; incidence and rebound of the contact patch over mu v_n. Steel: E = 208 GPa, nu = 0.3, 7850 kg/m3; polyethylene: "
               "E = 1 GPa, nu = 0.4, 1400 kg/m3. Published curve where the contact slips throughout (incidence from 6 on), limit: its digitisation. Below, the published curve of test 5 contradicts that of test 4 in the same "
-              "dimensionless variables (incidence 0.96: |spin| 0.14 in test 4, which we meet; 1.25 in test 5), and no factor on Mindlin's stiffness gives it; there the reference is the law itself, integrated "
+              "dimensionless variables (incidence 0.96: |spin| 0.14 in test 4, which we meet; 1.25 in test 5), and no factor on the stiffness gives it (the best, 0.2 to 0.25, misses by 0.2 to 0.3); there the reference is the law itself, integrated "
               "alone in dimensionless form. Limits: the lever r - delta/2 of a sphere that is pressed in by 0.3 % (steel) and by 2 % (polyethylene) of its radius.", {}};
   struct Material {
     const char *name, *key;
