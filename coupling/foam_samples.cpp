@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <string_view>
 
 #include "coupling/require.hpp"
@@ -29,7 +30,7 @@ std::array<double, 6> six_numbers(std::string_view line, const Place& place) {
   for (double& number : numbers) {
     skip_blanks();
     const auto [next, error] = std::from_chars(at, end, number);
-    require(error == std::errc{} && std::isfinite(number),
+    require(error == std::errc{} && std::abs(number) <= std::numeric_limits<float>::max(),
             "{}: \"{}\" (expected six finite numbers x y z Ux Uy Uz; cut short or diverged?); {}",
             place.text(), line, remedy);
     at = next;

@@ -12,7 +12,15 @@ namespace clog {
 /// A refusal with one clear line: *problem (why) what to do*. Only `main` catches it.
 class Error : public std::runtime_error {
 public:
-  using std::runtime_error::runtime_error;
+  explicit Error(std::string message) : std::runtime_error(one_line(std::move(message))) {}
+
+private:
+  /// A message quotes what the user gave; a line break or a control character in that stays one line.
+  static std::string one_line(std::string text) {
+    for (char& c : text)
+      if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = ' ';
+    return text;
+  }
 };
 
 /// Throws Error with the formatted message unless the condition holds; never compiled out.

@@ -1,1 +1,75 @@
-#include <gtest/gtest.h>
+// Scenes at the edge of sense: no particle, one too large, an inlet without room, a field that is no field.
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+#include "dem/initial_particles.hpp"
+#include "tests/coupling/refusal.hpp"
+#include "tests/faults/small_channel.hpp"
+
+namespace clog::test {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+TEST(NoParticle, ALaboratoryWithoutAnyRuns) {
+  Scene scene = laboratory_scene({}, 1e-4);
+  set_floor(scene, 1);
+  scene.time.end = 0.01;
+  const RunData run = Simulation(scene, nullptr, 1).run();
+  EXPECT_EQ(run.snapshots.back().id.size(), 0u);
+  EXPECT_NEAR(run.end_time, 0.01, 1e-9);
+}
+
+TEST(NoParticle, AnEmptyChannelAndATinyEnd) {
+  const Scene scene = small_channel({"inlet.start=empty", "time.end=1 us"});
+  const FlowGrid flow = synthetic_flow(scene);
+  const RunData run = Simulation(scene, &flow, 1).run();
+  EXPECT_TRUE(run.passages.time.empty());
+  EXPECT_GT(run.end_time, 0);
+}
+
+TEST(NoParticle, AnEmptyFileIsRefused) {
+  for (const char* text : {"", "\n\n", "x,y,z\n", "# nothing\n"}) {
+    const ScratchFile file(text);
+    Scene scene = laboratory_scene({}, 1e-4);
+    scene.particles.initial = file.name();
+    EXPECT_THAT(refusal([&] { read_initial_particles(scene); }), HasSubstr("holds no particle"));
+  }
+}
+
+TEST(TooLarge, AParticleForTheNeckIsRefused) {
+  for (const char* diameter : {"100 um", "101 um", "1 m"})
+    EXPECT_THAT(refusal([&] { small_channel({fmt::format("particles.diameter={}", diameter)}); }),
+                AllOf(HasSubstr("must be smaller than geometry.neck_width"), HasSubstr("no particle fits through")));
+}
+
+// The slab of the inlet has room for two or three; attempts are bounded and those refused are counted.
+TEST(FullInlet, EndsAndIsCounted) {
+  const Scene scene = small_channel({"particles.diameter=95 um", "time.end=5 ms", "geometry.channel_width=110 um"});
+  const FlowGrid flow = synthetic_flow(scene);
+  const RunData run = Simulation(scene, &flow, 1).run();
+  EXPECT_GT(run.provenance["insertions_refused"].get<std::int64_t>(), 0);
+  EXPECT_GT(run.provenance["inserted"].get<std::int64_t>(), 0);
+}
+
+TEST(FlowFile, WithNaNIsNeitherWrittenNorRead) {
+  const ScratchFolder folder;
+  FlowGrid flow = synthetic_flow(small_channel());
+  flow.velocity[flow.velocity.size() / 3] = std::nanf("");
+  EXPECT_THAT(refusal([&] { write_flow_grid(flow, folder.path() / "flow.h5"); }), HasSubstr("holds NaN or infinity"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "flow.h5"));
+}
+
+TEST(FlowFile, OfAnotherGeometryIsRefusedByName) {
+  const Scene scene = small_channel();
+  for (const char* other : {"geometry.neck_width=120 um", "geometry.channel_length=300 um", "geometry.half_angle=45 deg", "fluid.viscosity=1 mPa s"}) {
+    const FlowGrid flow = synthetic_flow(small_channel({other}));
+    const std::string key(other, std::string(other).find('='));
+    EXPECT_THAT(refusal([&] { Simulation(scene, &flow, 1); }), AllOf(HasSubstr("another scene"), HasSubstr(key.substr(key.find('.') + 1))));
+  }
+}
+
+}  // namespace
+}  // namespace clog::test
