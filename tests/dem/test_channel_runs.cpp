@@ -60,7 +60,9 @@ TEST(ClogWithoutRelease, ComesToRestAndStays) {
   const RunData run = simulation.run();
   EXPECT_GE(slow_share(simulation.particles(), 1e-6), 0.99);
   ASSERT_FALSE(run.passages.time.empty() && run.series.time.empty());
-  if (!run.passages.time.empty()) EXPECT_LT(run.passages.time.back(), 0.3) << "it stays";
+  if (!run.passages.time.empty()) {
+    EXPECT_LT(run.passages.time.back(), 0.3) << "it stays";
+  }
   EXPECT_LT(run.series.speed_q99.back(), 1e-6);
 }
 
