@@ -161,6 +161,33 @@ void choose_step(Model& model, const std::vector<Particle>& initial) {
 
 }  // namespace
 
+namespace {
+
+/// A scene must not ask for what this version does not do: silence would be taken for a result.
+void refuse_unbuilt(const Scene& s) {
+  const auto unbuilt = [](bool asked, const char* key) {
+    require(!asked, "{} is not modelled by this version: leave it out", key);
+  };
+  unbuilt(s.flow.pulsation.strength != 0, "flow.pulsation");
+  unbuilt(s.drag.fluctuation.strength != 0, "drag.fluctuation");
+  unbuilt(s.flow.rescale, "flow.rescale");
+  unbuilt(!s.fidelity.preset.empty(), "fidelity.preset");
+  unbuilt(s.fidelity.tolerance != 0, "fidelity.tolerance");
+}
+
+/// More than any one core finishes; a diameter with a wrong unit gets here.
+constexpr double most_particles = 1e8;
+
+void check_count(const Scene& s) {
+  if (!s.inlet.enabled || !s.geometry.present) return;
+  const double count = channel_volume(s, channel_start(s), 0) / sphere_volume(s.particles.diameter / 2);
+  require(count < most_particles,
+          "particles.diameter = {} m (the channel would hold {:.2g} particles, more than {:.0g}): raise it",
+          s.particles.diameter, count, most_particles);
+}
+
+}  // namespace
+
 Particle Model::particle(double radius) const {
   Particle p;
   p.radius = radius;
@@ -170,6 +197,8 @@ Particle Model::particle(double radius) const {
 }
 
 Model make_model(const Scene& scene, const FlowGrid* flow, const std::vector<Particle>& initial) {
+  refuse_unbuilt(scene);
+  check_count(scene);
   if (flow) check_flow(scene, *flow);
   Model model;
   model.scene = scene;
