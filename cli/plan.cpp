@@ -1,5 +1,6 @@
 // clog plan: what a scene needs, the limits of the step, what a run costs.
 
+#include <cmath>
 #include <filesystem>
 #include <memory>
 
@@ -17,7 +18,8 @@ struct PlanOptions {
 };
 
 void print_limit(const char* what, double limit, double dt) {
-  if (limit > 0) fmt::print("  {:<34} {:>10.3g} s   dt / limit {:.3g}\n", what, limit, dt / limit);
+  if (limit > 0 && std::isfinite(limit))
+    fmt::print("  {:<34} {:>10.3g} s   dt / limit {:.3g}\n", what, limit, dt / limit);
 }
 
 void print_plan(const PlanOptions& options) {
@@ -28,10 +30,11 @@ void print_plan(const PlanOptions& options) {
     fmt::print("{:<34} {:<42} {:>10.3g}  {:<7} {:<9} {}\n", t.term, t.number, t.value,
                t.needed ? "yes" : "no", t.modelled ? "yes" : "no", t.reason);
   fmt::print("\ntime step {:.4g} s\n", plan.dt);
-  print_limit("Hertz contact time", plan.contact_time, plan.dt);
-  print_limit("Rayleigh time", plan.rayleigh_time, plan.dt);
-  print_limit("explicit drag 2 m / c", plan.drag_limit, plan.dt);
-  print_limit("explicit lubrication 2 m* / c", plan.lubrication_limit, plan.dt);
+  print_limit("Hertz contact time", plan.limits.contact_time, plan.dt);
+  print_limit("Rayleigh time", plan.limits.rayleigh_time, plan.dt);
+  print_limit("explicit drag", plan.limits.drag, plan.dt);
+  print_limit("lubrication at h = 2 xi", plan.limits.lubrication, plan.dt);
+  print_limit("contacts in a pack", plan.limits.contacts, plan.dt);
   print_limit("0.01 d per step in the neck", plan.way_limit, plan.dt);
   fmt::print("\none seed: about {:.0f} particles, {:.3g} steps and {:.3g} to fill the channel, "
              "{:.3g} MB, {:.3g} s on one core at {:.2g} particle-steps/s\n",

@@ -20,7 +20,7 @@ constexpr int attempts_per_place = 4;
 /// Packing fraction of the random start; random sequential addition of spheres ends near 0.38.
 constexpr double scattered_packing = 0.30;
 
-/// Random sequential addition at 0.30 needs about ten attempts a sphere.
+/// Bounds the search for room; the channel is filled less densely where it ends it.
 constexpr int attempts_per_scattered = 200;
 
 /// Depth of the slab in diameters: spheres enter at any depth, so no layers form.

@@ -8,24 +8,16 @@
 #include "coupling/channel_shape.hpp"
 #include "dem/initial_particles.hpp"
 #include "dem/model.hpp"
+#include "dem/pack_estimates.hpp"
 #include "dem/physics/dimensionless.hpp"
-#include "dem/physics/lubrication.hpp"
 #include "dem/physics/time_step.hpp"
 
 namespace clog {
 
 namespace {
 
-/// Porosity of a pack at rest, for estimates made before a run (the paper: about 0.5; static packs of
-/// this program 0.55 to 0.6).
-constexpr double pack_porosity = 0.55;
-
-/// An arch carries the drag of about this many particles behind it: the flow's load on the pack over
-/// a few neck widths, shared by the arch's few contacts.
-constexpr double arch_load = 20;
-
-/// Below this ratio of diameter to overlap burst sizes are known to be biased (E = 3e5 Pa at 33 um); from
-/// 3e6 to 3e7 Pa they do not change.
+/// Ratio of diameter to overlap below which a scene is called too soft: preliminary runs with other
+/// programs saw biased bursts at E = 3e5 Pa and 33 um (about 18) and none at 3e6 Pa (about 85).
 constexpr double softest = 30;
 
 /// Duration of a filled start in units of the time the flow needs for the channel, as seen.
@@ -94,22 +86,12 @@ void judge_contacts(const Scene& s, const Model& model, const Judge& term) {
 }
 
 void find_limits(const Scene& s, const Model& model, Plan& plan) {
-  const double d = s.particles.diameter, mass = model.particle(d / 2).mass;
-  const double shear = s.contact.youngs_modulus / (2 * (1 + s.contact.poisson_ratio));
-  plan.contact_time = model.contact_time;
   plan.dt = model.dt;
-  plan.rayleigh_time = rayleigh_time(d / 2, s.particles.density * s.time.mass_scale, shear,
-                                     s.contact.poisson_ratio);
-  if (s.drag.enabled)
-    plan.drag_limit =
-        2 * mass / (stokes_coefficient(s.fluid.viscosity, d) *
-                    (s.porosity.strips > 0 ? voidage_function(pack_porosity) : 1.0));
-  if (s.lubrication.enabled)
-    plan.lubrication_limit =
-        mass / lubrication_coefficient(s.fluid.viscosity, d / 4, 2 * s.particles.roughness);
+  plan.limits = expected_limits(model, read_initial_particles(s));
   if (s.geometry.present && s.flow.mean_velocity > 0)
-    plan.way_limit = 0.01 * d / (s.flow.mean_velocity * s.geometry.channel_width /
-                                 s.geometry.neck_width / pack_porosity);
+    plan.way_limit = 0.01 * s.particles.diameter /
+                     (s.flow.mean_velocity * s.geometry.channel_width / s.geometry.neck_width /
+                      pack_porosity);
 }
 
 void estimate_cost(const Scene& s, const Model& model, Plan& plan) {
@@ -148,17 +130,15 @@ std::vector<std::string> warnings(const Plan& plan) {
     if (t.term == "particle inertia" && t.needed)
       lines.push_back(fmt::format("{} = {:.3g}: lower time.mass_scale", t.number, t.value));
     if (t.term == "particle stiffness" && t.needed)
-      lines.push_back(fmt::format("{} = {:.3g} (bursts are biased below 30): raise contact.youngs_modulus",
+      lines.push_back(fmt::format("{} = {:.3g} (too soft below 30): raise contact.youngs_modulus",
                                   t.number, t.value));
   }
-  const auto limit = [&](double value, const char* what) {
-    if (value > 0 && plan.dt > value)
-      lines.push_back(fmt::format("the step of {:.3g} s is above the {} limit of {:.3g} s", plan.dt,
-                                  what, value));
-  };
-  limit(plan.drag_limit, "explicit drag");
-  limit(plan.lubrication_limit, "explicit lubrication");
-  limit(plan.way_limit, "0.01 d per step");
+  if (plan.dt > plan.limits.smallest())
+    lines.push_back(fmt::format("the step of {:.3g} s is unstable: the limit is {:.3g} s", plan.dt,
+                                plan.limits.smallest()));
+  if (plan.way_limit > 0 && plan.dt > plan.way_limit)
+    lines.push_back(fmt::format("the step of {:.3g} s is above {:.3g} s, in which the flow moves 0.01 d",
+                                plan.dt, plan.way_limit));
   return lines;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "coupling/scene.hpp"
+#include "dem/step_limit.hpp"
 
 namespace clog {
 
@@ -20,10 +21,8 @@ struct PlannedTerm {
 
 struct Plan {
   std::vector<PlannedTerm> terms;
-  double contact_time = 0, dt = 0;        ///< [s]
-  double drag_limit = 0;                  ///< 2 m / c at the pack's porosity [s]; 0 without drag
-  double lubrication_limit = 0;           ///< 2 m* / c at h = 2 xi [s]; 0 without lubrication
-  double rayleigh_time = 0;               ///< [s]
+  double dt = 0;                          ///< [s]
+  StepLimits limits;
   double way_limit = 0;                   ///< step in which the flow at the neck moves 0.01 d [s]
   double steps = 0, filling_steps = 0;
   double particles = 0;
@@ -32,7 +31,7 @@ struct Plan {
 };
 
 /// Particle-steps per second and core that the estimate assumes; a run prints its own.
-inline constexpr double nominal_rate = 1e7;
+inline constexpr double nominal_rate = 5e6;
 
 /// \throws Error if the scene has no time step
 Plan make_plan(const Scene& scene);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "coupling/require.hpp"
+#include "dem/pack_estimates.hpp"
 #include "dem/physics/dimensionless.hpp"
 #include "dem/physics/lubrication.hpp"
 #include "dem/physics/time_step.hpp"
@@ -16,10 +17,6 @@ namespace clog {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-
-/// As in dem/plan.cpp: porosity of a pack at rest, and the particles whose drag an arch carries.
-constexpr double pack_porosity = 0.55;
-constexpr double arch_load = 20;
 
 double smallest_radius(const Scene& scene, const std::vector<Particle>& initial) {
   double radius = initial.empty() || scene.inlet.enabled ? scene.particles.diameter / 2 : infinite;
