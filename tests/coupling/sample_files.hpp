@@ -10,12 +10,11 @@
 
 #include "coupling/flow_grid.hpp"
 #include "coupling/run_file.hpp"
+#include "tests/scratch.hpp"
 
 namespace clog {
 
-inline std::filesystem::path temporary(const std::string& name) {
-  return std::filesystem::path(testing::TempDir()) / name;
-}
+inline std::filesystem::path temporary(const std::string& name) { return scratch_folder() / name; }
 
 inline std::string bytes_of(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);

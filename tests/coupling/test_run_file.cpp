@@ -96,9 +96,10 @@ for frame, particles in zip(frames, (2, 3)):
     assert values['id'].tolist() == [10 * particles + i for i in range(particles)]
     assert set(values) == {'id', 'radius', 'velocity', 'spin', 'force', 'torque'}
 )";
-  EXPECT_EQ(std::system(
-                fmt::format("/usr/bin/python3 {} {}", script.string(), testing::TempDir()).c_str()),
-            0);
+  EXPECT_EQ(
+      std::system(fmt::format("/usr/bin/python3 {} {}", script.string(), scratch_folder().string())
+                      .c_str()),
+      0);
 }
 
 TEST(RunFile, EveryDatasetHasAUnit) {

@@ -10,6 +10,7 @@
 #include "coupling/scene_keys.hpp"
 #include "tests/coupling/refusal.hpp"
 #include "tests/coupling/scene_texts.hpp"
+#include "tests/scratch.hpp"
 
 namespace clog {
 namespace {
@@ -186,7 +187,7 @@ TEST(Scene, FlowInputsAreOnlyWhatDecidesTheFlow) {
 }
 
 TEST(Scene, AFileOfWallsCountsByItsContent) {
-  const auto folder = std::filesystem::path(testing::TempDir());
+  const auto folder = scratch_folder();
   const auto inputs = [&](const char* name, const char* content) {
     std::ofstream(folder / name) << content;
     return flow_inputs(
@@ -197,7 +198,7 @@ TEST(Scene, AFileOfWallsCountsByItsContent) {
 }
 
 TEST(Scene, FilesAreFoundBesideTheScene) {
-  const auto folder = std::filesystem::path(testing::TempDir()) / "scene_folder";
+  const auto folder = scratch_folder() / "scene_folder";
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "start.csv") << "x,y,z\n";
   std::ofstream(folder / "scene.toml") << laboratory << "[output]\n";

@@ -5,6 +5,7 @@
 
 #include "postprocess/number_column.hpp"
 #include "tests/postprocess/samples.hpp"
+#include "tests/scratch.hpp"
 
 namespace clog::postprocess {
 namespace {
@@ -14,7 +15,7 @@ using testing::EndsWith;
 using testing::HasSubstr;
 
 std::filesystem::path column(const char* text) {
-  const auto file = std::filesystem::path(testing::TempDir()) / "clog_column.txt";
+  const auto file = scratch_folder() / "clog_column.txt";
   std::ofstream(file) << text;
   return file;
 }

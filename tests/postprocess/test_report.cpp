@@ -8,6 +8,7 @@
 #include "postprocess/report.hpp"
 #include "postprocess/statistics_files.hpp"
 #include "tests/postprocess/synthetic_ensemble.hpp"
+#include "tests/scratch.hpp"
 
 namespace clog::postprocess {
 namespace {
@@ -38,8 +39,7 @@ class Report : public testing::Test {
 protected:
   void SetUp() override {
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    here_ =
-        std::filesystem::path(testing::TempDir()) / (std::string("clog_report_") + test->name());
+    here_ = scratch_folder() / (std::string("clog_report_") + test->name());
     std::filesystem::remove_all(here_);
   }
   void TearDown() override { std::filesystem::remove_all(here_); }

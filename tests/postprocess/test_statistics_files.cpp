@@ -7,6 +7,7 @@
 #include "postprocess/scene_lines.hpp"
 #include "postprocess/statistics_files.hpp"
 #include "tests/postprocess/synthetic_ensemble.hpp"
+#include "tests/scratch.hpp"
 
 namespace clog::postprocess {
 namespace {
@@ -21,8 +22,7 @@ class StatisticsFiles : public testing::Test {
 protected:
   void SetUp() override {
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    here_ = std::filesystem::path(testing::TempDir()) /
-            (std::string("clog_statistics_") + test->name());
+    here_ = scratch_folder() / (std::string("clog_statistics_") + test->name());
     std::filesystem::remove_all(here_);
     std::filesystem::create_directories(here_);
   }

@@ -6,6 +6,7 @@
 
 #include "postprocess/child_process.hpp"
 #include "tests/postprocess/synthetic_ensemble.hpp"
+#include "tests/scratch.hpp"
 
 namespace clog::postprocess {
 namespace {
@@ -18,9 +19,7 @@ ChildResult clog(std::vector<std::string> words) {
   return run_program(words);
 }
 
-std::filesystem::path temporary(const char* name) {
-  return std::filesystem::path(testing::TempDir()) / name;
-}
+std::filesystem::path temporary(const char* name) { return scratch_folder() / name; }
 
 TEST(Fit, prints_json) {
   const auto plain = clog({"fit", CLOG_TEST_DATA "/csn_surnames.txt"});
