@@ -2,12 +2,32 @@
 
 namespace clog {
 
-void ContactSet::reset(std::size_t candidates) {
-  for (auto& values : spring_) values.assign(candidates + widest_vector, 0.0);
-  for (auto* indices : {&first_, &second_, &candidate_, &film_first, &film_second})
-    indices->assign(candidates + widest_vector, 0);
-  position_.assign(candidates, -1);
-  count_ = 0;
+void ContactSet::Rows::append(int one, int other, int number) {
+  if (first.size() <= count) pad(2 * count + 1);
+  first[count] = one;
+  second[count] = other;
+  candidate[count] = number;
+  ++count;
+}
+
+void ContactSet::Rows::pad(std::size_t rows) {
+  for (auto* values : {&first, &second, &candidate})
+    if (values->size() < rows + widest_vector) values->resize(rows + widest_vector, 0);
+}
+
+void ContactSet::reset() {
+  for (Rows* rows : {&touching_, &watched_, &films_}) *rows = Rows();
+  make_room();
+}
+
+void ContactSet::make_room() {
+  const std::size_t rows = touching_.count + watched_.count, padded = rows + widest_vector;
+  touching_.pad(rows);
+  watched_.pad(rows);
+  films_.pad(films_.count);
+  if (changed_.size() < padded) changed_.resize(padded);
+  for (auto& values : spring_)
+    if (values.size() < padded) values.resize(padded, 0.0);
 }
 
 Springs<double> ContactSet::springs(std::size_t k) const {
@@ -15,25 +35,27 @@ Springs<double> ContactSet::springs(std::size_t k) const {
   return {{s[0][k], s[1][k], s[2][k]}, {s[3][k], s[4][k], s[5][k]}, s[6][k]};
 }
 
-void ContactSet::add(int candidate, int first, int second, const Springs<double>& s) {
-  first_[count_] = first;
-  second_[count_] = second;
+void ContactSet::add(const Candidates& list, int candidate, const Springs<double>& s) {
   const double values[7] = {s.sliding.x, s.sliding.y, s.sliding.z, s.rolling.x,
                             s.rolling.y, s.rolling.z, s.torsion};
-  for (int c = 0; c < 7; ++c) spring_[c][count_] = values[c];
-  candidate_[count_] = candidate;
-  position_[candidate] = static_cast<int>(count_);
-  ++count_;
+  const std::size_t row = touching_.count;
+  touching_.append(list.first[candidate], list.second[candidate], candidate);
+  for (int c = 0; c < 7; ++c) {
+    if (spring_[c].size() <= row) spring_[c].resize(2 * row + widest_vector, 0.0);
+    spring_[c][row] = values[c];
+  }
 }
 
 ContactPointers ContactSet::pointers() {
   ContactPointers pointers{};
+  pointers.touching = touching_.pointers();
+  pointers.watched = watched_.pointers();
   for (int c = 0; c < 7; ++c) pointers.spring[c] = spring_[c].data();
-  pointers.first = first_.data();
-  pointers.second = second_.data();
-  pointers.candidate = candidate_.data();
-  pointers.position = position_.data();
-  pointers.count = &count_;
+  pointers.changed = changed_.data();
+  pointers.film_first = films_.first.data();
+  pointers.film_second = films_.second.data();
+  pointers.film_count = films_.count;
+  pointers.watched_lubricate = watched_lubricate_;
   return pointers;
 }
 

@@ -26,13 +26,21 @@ inline constexpr int state_stride = 16, loads_stride = 8;
 /// padded by it.
 inline constexpr std::size_t widest_vector = 8;
 
-/// A ContactSet: springs (sliding x y z, rolling x y z, torsion) of the contacts side by side.
+/// Rows of a list: two particles, or a particle and a plane, and the candidate that they are.
+struct RowPointers {
+  int *first, *second, *candidate;
+  std::size_t* count;
+};
+
+/// A ContactSet. There is room for every row of `touching` in `watched` and the other way round.
 struct ContactPointers {
-  double* spring[7];
-  int *first, *second; ///< particles of each contact; of a contact with a plane: the particle and the plane
-  int* candidate;      ///< of each contact
-  int* position;       ///< of each candidate's contact, -1 if it does not touch
-  std::size_t* count;  ///< of contacts
+  RowPointers touching;
+  double* spring[7];       ///< of the touching: sliding x y z, rolling x y z, torsion, each side by side
+  RowPointers watched;     ///< candidates that may begin to touch before the next sorting
+  int* changed;            ///< scratch, as long as the rows
+  const int *film_first, *film_second;  ///< candidates that may lubricate and cannot touch
+  std::size_t film_count;
+  bool watched_lubricate;  ///< whether the watched can have a film
 };
 
 struct LubricationLaw {
@@ -40,6 +48,9 @@ struct LubricationLaw {
   double nearest = 0;    ///< 2 xi: below, the force is absent or held [m]
   double farthest = 0;   ///< [m]
   bool clamp = false;    ///< hold the force of `nearest` below it, down to contact
+
+  /// Smallest gap with a film [m].
+  double least() const { return clamp ? 0 : nearest; }
 };
 
 /// What a pass over contacts saw.
@@ -48,34 +59,21 @@ struct ContactTally {
   double largest_overlap = 0;  ///< [m]
 };
 
-/// Pairs that may touch before the list is rebuilt.
+/// Every index array is padded to whole vectors with valid indices.
 struct PairTask {
   ParticlePointers particles;
-  const int *first, *second;  ///< padded to whole vectors with valid indices
-  std::size_t count;
   ContactPointers contacts;
-  int *film_first, *film_second;  ///< scratch, padded as well
   ContactLaw law;
   LubricationLaw lubrication;
   double dt;
+  double radius, mass;  ///< of every particle, if all are equal; else 0
 };
 
-/// Pairs that can only lubricate before the list is rebuilt.
-struct FarTask {
-  ParticlePointers particles;
-  const int *first, *second;  ///< padded to whole vectors with valid indices
-  std::size_t count;
-  LubricationLaw lubrication;
-};
-
-/// Particles that can meet the inside of one plane wall.
+/// Contacts with the inside of plane walls.
 struct PlaneTask {
   ParticlePointers particles;
-  const int *particle, *slot;  ///< slot[k] = k; both padded to whole vectors with valid indices
-  const double *nx, *ny, *nz, *offset;  ///< n . x = offset on the plane
-  std::size_t count;
-  ContactPointers contacts;
-  int *film_first, *film_second;  ///< scratch, padded as well
+  const double *nx, *ny, *nz, *offset;  ///< of each slot: n . x = offset on the plane
+  ContactPointers contacts;             ///< rows of particles and slots
   ContactLaw law;
   LubricationLaw lubrication;
   double dt;
@@ -91,12 +89,14 @@ struct AdvanceTask {
   double body_force[3];        ///< [N]
   double kick, drift;          ///< [s]
   bool implicit_drag;
+  double passage;              ///< place of the passage plane [m]
 };
 
 struct AdvanceTally {
   double largest_speed = 0;  ///< [m/s]; NaN if any is
   double drag_work = 0;      ///< [J]
   double body_work = 0;      ///< [J]
+  bool crossed = false;      ///< whether any particle passed x = passage, forwards
 };
 
 struct Kernels {
@@ -105,7 +105,6 @@ struct Kernels {
   void (*pack)(const ParticlePointers&);    ///< state from the arrays; clears the packed loads
   void (*unpack)(const ParticlePointers&);  ///< packed loads into fx ... tz
   ContactTally (*collide_pairs)(const PairTask&, ContactTerms);
-  void (*lubricate_far)(const FarTask&);
   ContactTally (*collide_planes)(const PlaneTask&, ContactTerms);
   AdvanceTally (*advance)(const AdvanceTask&);
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 namespace clog {
@@ -23,8 +24,7 @@ struct Memory {
 Memory remember(const Neighbours& list, const std::vector<int>& renumbered, std::size_t particles) {
   Memory memory;
   for (std::size_t k = 0; k < list.contacts.size(); ++k) {
-    const int pair = list.contacts.candidate(k);
-    const int i = renumbered[list.first[pair]], j = renumbered[list.second[pair]];
+    const int i = renumbered[list.contacts.first(k)], j = renumbered[list.contacts.second(k)];
     if (i < 0 || j < 0) continue;
     const Springs<double> springs = list.contacts.springs(k);
     memory.contacts.push_back(i < j ? Remembered{i, j, springs}
@@ -54,29 +54,36 @@ std::vector<int> Neighbours::rebuild(Particles& p, const std::vector<std::uint8_
     renumbered[staying[cells.order()[k]]] = static_cast<int>(k);
   const Memory memory = remember(*this, renumbered, p.size());
 
-  first.clear(), second.clear(), far_first.clear(), far_second.clear();
+  first.clear(), second.clear();
   cells.for_each_pair([&](int i, int j) {
     const double dx = p.x[i] - p.x[j], dy = p.y[i] - p.y[j], dz = p.z[i] - p.z[j];
-    const double distance2 = dx * dx + dy * dy + dz * dz;
-    const double near = p.radius[i] + p.radius[j] + reach.skin;
-    const double far = near + reach.lubrication;
-    if (distance2 < near * near) {
-      first.push_back(i), second.push_back(j);
-    } else if (reach.lubrication > 0 && distance2 < far * far) {
-      far_first.push_back(i), far_second.push_back(j);
-    }
+    const double far = p.radius[i] + p.radius[j] + reach.skin + reach.lubrication;
+    if (dx * dx + dy * dy + dz * dz >= far * far) return;
+    first.push_back(i);
+    second.push_back(j);
   });
-  count = first.size();
-  far_count = far_first.size();
-  for (auto* indices : {&first, &second, &far_first, &far_second})
-    indices->resize(indices->size() + widest_vector, 0);
-  contacts.reset(count);
-  for (std::size_t k = 0; k < count; ++k)
+  contacts.reset();
+  const Candidates list{first.data(), second.data(), first.size()};
+  for (std::size_t k = 0; k < list.count; ++k)
     for (int c = memory.start[first[k]]; c < memory.start[first[k] + 1]; ++c)
       if (memory.contacts[c].j == second[k])
-        contacts.add(static_cast<int>(k), first[k], second[k],
-                     memory.contacts[c].springs);
+        contacts.add(list, static_cast<int>(k), memory.contacts[c].springs);
+  const auto all_equal = [](const std::vector<double>& values) {
+    return std::ranges::adjacent_find(values, std::not_equal_to<>()) == values.end();
+  };
+  smallest_radius = p.size() > 0 ? *std::ranges::min_element(p.radius) : 0;
+  const bool equal = p.size() > 0 && all_equal(p.radius) && all_equal(p.mass);
+  equal_radius = equal ? p.radius[0] : 0;
+  equal_mass = equal ? p.mass[0] : 0;
   return renumbered;
+}
+
+void Neighbours::sort(const Particles& p, double margin, const LubricationLaw& law) {
+  contacts.sort({first.data(), second.data(), first.size()}, margin, law, [&](std::size_t k) {
+    const int i = first[k], j = second[k];
+    const double dx = p.x[i] - p.x[j], dy = p.y[i] - p.y[j], dz = p.z[i] - p.z[j];
+    return std::sqrt(dx * dx + dy * dy + dz * dz) - p.radius[i] - p.radius[j];
+  });
 }
 
 }  // namespace clog

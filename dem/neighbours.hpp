@@ -24,17 +24,20 @@ public:
   std::vector<int> rebuild(Particles& particles, const std::vector<std::uint8_t>& leaving,
                            const Reach& reach);
 
-  /// Pairs that may touch, i < j: the candidates of `contacts`.
+  /// Sorts the pairs that do not touch by their gaps; holds until a gap may have changed by `margin`.
+  void sort(const Particles& particles, double margin, const LubricationLaw& law);
+
+  /// Pairs that may touch or lubricate, i < j: the candidates of `contacts`.
   std::vector<int> first, second;
-  std::size_t count = 0;  ///< the lists are padded beyond it, to whole vectors
-  /// Pairs that can at most lubricate.
-  std::vector<int> far_first, far_second;
-  std::size_t far_count = 0;
   ContactSet contacts;
+
+  /// Radius and mass of every particle if all are equal, else 0.
+  double equal_radius = 0, equal_mass = 0;
+  double smallest_radius = 0;
 
   template <class Archive>
   void exchange(Archive& archive) {
-    archive(first, second, far_first, far_second, contacts, count, far_count);
+    archive(first, second, contacts, equal_radius, equal_mass, smallest_radius);
   }
 };
 

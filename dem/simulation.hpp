@@ -91,6 +91,7 @@ private:
   void feed_inlet(double time);
   void take_out();
   void rebuild_lists();
+  void sort_candidates();
   void announce_step();  ///< \throws Error if the step is too large
   void watch_step();     ///< now and then: the limit of the contacts, and energy from nothing
   void check(const AdvanceTally& tally) const;
@@ -112,7 +113,8 @@ private:
     archive(gate_closed_);
     if (Archive::loading && gate_closed_) set_walls(true);
     archive(random_, inlet_, watch_, particles_, neighbours_, walls_, fluid_, pair_law_, wall_law_,
-            data_, step_, kick_, drifted_, lists_stale_, next_insertion_, next_porosity_, next_series_,
+            data_, step_, kick_, drifted_, way_, margin_, drifted_when_sorted_,
+            lists_stale_, lists_are_new_, next_insertion_, next_porosity_, next_series_,
             next_snapshot_, particle_steps_, drag_work_, body_work_, energy_in_, filling_,
             step_watch_, seconds_);
   }
@@ -133,7 +135,10 @@ private:
   std::int64_t step_ = 0;
   double kick_ = 0;            // dt, or dt/2 in the very first step: the velocities given are at x_0
   double drifted_ = 0;         // bound on any particle's way since the lists were made [m]
-  bool lists_stale_ = true;
+  double way_ = 0;             // of the fastest particle in the last step [m]
+  double margin_ = 0;          // gaps may change by this much before the candidates are sorted anew [m]
+  double drifted_when_sorted_ = 0;
+  bool lists_stale_ = true, lists_are_new_ = false;
   double next_insertion_ = 0, next_porosity_ = 0, next_series_ = 0, next_snapshot_ = 0;
   double particle_steps_ = 0;
   double drag_work_ = 0, body_work_ = 0;

@@ -25,16 +25,11 @@ Vector<double> apart(const Particles& p, int i, int j) {
 NetworkLimit::Bound Simulation::network_limit() const {
   const auto& p = particles_;
   NetworkLimit network(p);
-  for (std::size_t k = 0; k < neighbours_.contacts.size(); ++k) {
-    const int pair = neighbours_.contacts.candidate(k);
-    add_pair(network, neighbours_.first[pair], neighbours_.second[pair]);
-  }
-  if (model_.lubrication.viscosity > 0) {
-    for (std::size_t k = 0; k < neighbours_.count; ++k)
+  for (std::size_t k = 0; k < neighbours_.contacts.size(); ++k)
+    add_pair(network, neighbours_.contacts.first(k), neighbours_.contacts.second(k));
+  if (model_.lubrication.viscosity > 0)
+    for (std::size_t k = 0; k < neighbours_.first.size(); ++k)
       add_film(network, neighbours_.first[k], neighbours_.second[k]);
-    for (std::size_t k = 0; k < neighbours_.far_count; ++k)
-      add_film(network, neighbours_.far_first[k], neighbours_.far_second[k]);
-  }
   if (!walls_.empty())
     for (const auto& touch : walls_.touches(p)) {
       const int i = touch.particle;
@@ -115,7 +110,7 @@ double Simulation::kinetic_energy() const {
 
 void Simulation::check(const AdvanceTally& tally) const {
   if (particles_.size() == 0) return;
-  const double least = *std::min_element(particles_.radius.begin(), particles_.radius.end());
+  const double least = neighbours_.smallest_radius;
   const double overlap = std::max(pair_tally_.largest_overlap, wall_tally_.largest_overlap);
   if (!(tally.largest_speed * model_.dt <= longest_way * least)) blow_up("thrown");
   if (!(overlap <= deepest_overlap * 2 * least)) blow_up("pressed too deep");

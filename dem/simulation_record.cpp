@@ -68,7 +68,7 @@ double Simulation::elastic_energy() const {
   const Neighbours& n = neighbours_;
   double energy = walls_.empty() ? 0 : walls_.stored_energy(p, model_.wall_laws.contact);
   for (std::size_t k = 0; k < n.contacts.size(); ++k) {
-    const int pair = n.contacts.candidate(k), i = n.first[pair], j = n.second[pair];
+    const int i = n.contacts.first(k), j = n.contacts.second(k);
     ContactGeometry<double> g{};
     g.overlap = p.radius[i] + p.radius[j] -
                 std::hypot(p.x[i] - p.x[j], p.y[i] - p.y[j], p.z[i] - p.z[j]);

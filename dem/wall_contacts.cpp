@@ -60,9 +60,8 @@ void WallContacts::change(const Walls& walls, double radius, const Particles& pa
   corner_touches_ = touches(particles);
   surface_ = WallSurface(walls);
   bins_ = WallBins(walls, radius + reach_.lubrication + reach_.skin);
-  particle_.clear();
-  slots_ = 0;
-  contacts_.reset(0);
+  particle_.clear(), slot_.clear();
+  contacts_.reset();
   corners_.clear();
 }
 
@@ -112,35 +111,30 @@ void WallContacts::rebuild(const Particles& p, const std::vector<int>& renumbere
     }
     if (!corner.triangles.empty()) corners_.push_back(std::move(corner));
   }
-  slots_ = particle_.size();
-  slot_.resize(slots_);
+  slot_.resize(particle_.size());
   std::iota(slot_.begin(), slot_.end(), 0);
-  for (auto* indices : {&particle_, &slot_}) indices->resize(slots_ + widest_vector, 0);
-  for (auto* values : {&nx_, &ny_, &nz_, &offset_}) values->resize(slots_ + widest_vector, 0.0);
-  contacts_.reset(slots_);
+  // Spare rows of the hot loop name slot 0.
+  for (auto* values : {&nx_, &ny_, &nz_, &offset_})
+    if (values->empty()) values->push_back(0);
+  contacts_.reset();
   for (std::size_t k = 0; k < known.size(); ++k)
     if (known[k])
-      contacts_.add(static_cast<int>(k), particle_[k], static_cast<int>(k), recalled[k]);
+      contacts_.add({particle_.data(), slot_.data(), slot_.size()}, static_cast<int>(k), recalled[k]);
   corner_touches_ = std::move(memory);
+}
+
+void WallContacts::sort(const Particles& p, double margin, const LubricationLaw& law) {
+  contacts_.sort({particle_.data(), slot_.data(), slot_.size()}, margin, law, [&](std::size_t k) {
+    const Vec3 normal(nx_[k], ny_[k], nz_[k]);
+    return normal.dot(centre_of(p, particle_[k])) - offset_[k] - p.radius[particle_[k]];
+  });
 }
 
 ContactTally WallContacts::collide_planes(Particles& p, const Kernels& kernels,
                                           const WallLaws& laws) {
-  PlaneTask task{pointers(p),
-                 particle_.data(),
-                 slot_.data(),
-                 nx_.data(),
-                 ny_.data(),
-                 nz_.data(),
-                 offset_.data(),
-                 slots_,
-                 contacts_.pointers(),
-                 contacts_.film_first.data(),
-                 contacts_.film_second.data(),
-                 laws.contact,
-                 laws.lubrication,
-                 laws.dt};
-  return kernels.collide_planes(task, laws.terms);
+  return kernels.collide_planes({pointers(p), nx_.data(), ny_.data(), nz_.data(), offset_.data(),
+                                 contacts_.pointers(), laws.contact, laws.lubrication, laws.dt},
+                                laws.terms);
 }
 
 ContactTally WallContacts::collide_corners(Particles& p, const WallLaws& laws) {

@@ -37,6 +37,9 @@ public:
   /// \param renumbered  new index of each old particle, -1 if it left
   void rebuild(const Particles& particles, const std::vector<int>& renumbered);
 
+  /// Sorts the particles over planes by their gaps; holds until a gap may have changed by `margin`.
+  void sort(const Particles& particles, double margin, const LubricationLaw& law);
+
   /// Adds the loads of the contacts with planes to the packed loads.
   ContactTally collide_planes(Particles& particles, const Kernels& kernels, const WallLaws& laws);
 
@@ -66,7 +69,7 @@ public:
   /// Everything but the surface, which the scene gives.
   template <class Archive>
   void exchange(Archive& archive) {
-    archive(particle_, slot_, slots_, nx_, ny_, nz_, offset_, contacts_, corners_, corner_touches_);
+    archive(particle_, slot_, nx_, ny_, nz_, offset_, contacts_, corners_, corner_touches_);
   }
 
 private:
@@ -83,8 +86,7 @@ private:
   WallSurface surface_;
   WallBins bins_;
   Reach reach_;
-  std::vector<int> particle_, slot_;  // of each plane slot, padded to whole vectors; slot_[k] = k
-  std::size_t slots_ = 0;
+  std::vector<int> particle_, slot_;  // of each plane slot; slot_[k] = k
   std::vector<double> nx_, ny_, nz_, offset_;
   ContactSet contacts_;
   std::vector<Corner> corners_;

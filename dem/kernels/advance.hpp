@@ -7,28 +7,50 @@
 namespace clog {
 namespace {
 
+/// State of the particles from i on into records, and their loads cleared.
+[[gnu::always_inline]] inline void pack_some(const ParticlePointers& p, std::size_t i, int used) {
+  const auto store = [&](double* to, const double* x, const double* y, const double* z, const Lanes& w) {
+    Records({load_part(x + i, used), load_part(y + i, used), load_part(z + i, used)}, w)
+        .store(to + state_stride * i, state_stride, used);
+  };
+  store(p.state, p.x, p.y, p.z, load_part(p.radius + i, used));
+  store(p.state + 4, p.vx, p.vy, p.vz, load_part(p.mass + i, used));
+  store(p.state + 8, p.wx, p.wy, p.wz, Lanes(0.0));
+  const Records none({Lanes(0.0), Lanes(0.0), Lanes(0.0)});
+  none.store(p.loads + loads_stride * i, loads_stride, used);
+  none.store(p.loads + loads_stride * i + 4, loads_stride, used);
+}
+
 void pack(const ParticlePointers& p) {
-  for (std::size_t i = 0; i < p.count; ++i) {
-    double* state = p.state + state_stride * i;
-    state[0] = p.x[i], state[1] = p.y[i], state[2] = p.z[i], state[3] = p.radius[i];
-    state[4] = p.vx[i], state[5] = p.vy[i], state[6] = p.vz[i], state[7] = p.mass[i];
-    state[8] = p.wx[i], state[9] = p.wy[i], state[10] = p.wz[i], state[11] = 0;
-    for (int c = 0; c < loads_stride; ++c) p.loads[loads_stride * i + c] = 0;
-  }
+  std::size_t i = 0;
+  for (; i + lanes <= p.count; i += lanes) pack_some(p, i, lanes);
+  if (i < p.count) pack_some(p, i, lanes_left(i, p.count));
+}
+
+[[gnu::always_inline]] inline void unpack_some(const ParticlePointers& p, std::size_t i, int used) {
+  int rows[lanes];
+  for (int k = 0; k < lanes; ++k) rows[k] = k < used ? k : 0;
+  const auto take = [&](const double* from, double* x, double* y, double* z) {
+    const Columns columns = load_records(from + loads_stride * i, loads_stride, rows);
+    store_part(x + i, columns.c[0], used);
+    store_part(y + i, columns.c[1], used);
+    store_part(z + i, columns.c[2], used);
+  };
+  take(p.loads, p.fx, p.fy, p.fz);
+  take(p.loads + 4, p.tx, p.ty, p.tz);
 }
 
 void unpack(const ParticlePointers& p) {
-  for (std::size_t i = 0; i < p.count; ++i) {
-    const double* loads = p.loads + loads_stride * i;
-    p.fx[i] = loads[0], p.fy[i] = loads[1], p.fz[i] = loads[2];
-    p.tx[i] = loads[4], p.ty[i] = loads[5], p.tz[i] = loads[6];
-  }
+  std::size_t i = 0;
+  for (; i + lanes <= p.count; i += lanes) unpack_some(p, i, lanes);
+  if (i < p.count) unpack_some(p, i, lanes_left(i, p.count));
 }
 
 [[gnu::flatten]] AdvanceTally advance(const AdvanceTask& task) {
   const ParticlePointers& p = task.particles;
   const Lanes kick(task.kick), drift(task.drift), half(0.5);
   Lanes fastest(0.0), drag_work(0.0), body_work(0.0);
+  bool crossed = false;
   for (std::size_t from = 0; from < p.count; from += lanes) {
     const int used = lanes_left(from, p.count);
     const Lanes counted([&](auto k) { return static_cast<int>(k) < used ? 1.0 : 0.0; });
@@ -50,7 +72,10 @@ void unpack(const ParticlePointers& p) {
       store_part(v + from, after, used);
       store_part(x + from, load_part(x + from, used) + drift * after, used);
     };
+    const Lanes x_before = load_part(p.x + from, used);
     push(p.x, p.vx, p.fx, task.ux, task.body_force[0]);
+    const Lanes plane(task.passage);
+    if (stdx::any_of(x_before < plane && load_part(p.x + from, used) >= plane)) crossed = true;
     push(p.y, p.vy, p.fy, task.uy, task.body_force[1]);
     push(p.z, p.vz, p.fz, task.uz, task.body_force[2]);
     const Lanes spin_rate = kick / load_part(p.inertia + from, used);
@@ -71,7 +96,7 @@ void unpack(const ParticlePointers& p) {
   double largest = 0;
   for (int k = 0; k < lanes; ++k)
     if (fastest[k] > largest || fastest[k] != fastest[k]) largest = fastest[k];
-  return {__builtin_sqrt(largest), stdx::reduce(drag_work), stdx::reduce(body_work)};
+  return {__builtin_sqrt(largest), stdx::reduce(drag_work), stdx::reduce(body_work), crossed};
 }
 
 }  // namespace

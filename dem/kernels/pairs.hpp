@@ -1,49 +1,84 @@
 // Contacts and lubrication between particles.
 #pragma once
 
-#include "dem/kernels/sorting.hpp"
+#include "dem/kernels/contact_rows.hpp"
 #include "dem/physics/lubrication.hpp"
 
 namespace clog {
 namespace {
 
+/// Places of pairs and their sizes. Equal spheres need one transposition instead of two, and all that
+/// depends on sizes alone is the same for every vector.
+struct PairPlace {
+  Vector<Lanes> apart;
+  Lanes radius_i, radius_j;
+
+  /// Above zero where the spheres overlap. One expression for all who ask, so that they agree to the bit.
+  Lanes overlap(const Lanes& distance) const { return radius_i + radius_j - distance; }
+  Lanes effective_radius() const { return radius_i * radius_j / (radius_i + radius_j); }
+};
+
+template <bool equal>
+PairPlace load_pair_place(const PairTask& task, Index i, Index j) {
+  const ParticlePointers& p = task.particles;
+  if constexpr (equal) {
+    const Columns c = load_differences(p.state, state_stride, i, j);
+    return {{c.c[0], c.c[1], c.c[2]}, Lanes(task.radius), Lanes(task.radius)};
+  } else {
+    const Placed a = load_place(p, i), b = load_place(p, j);
+    return {a.position - b.position, a.radius, b.radius};
+  }
+}
+
+struct PairMotion {
+  Vector<Lanes> velocity;
+  Lanes mass;  ///< effective
+};
+
+template <bool equal>
+PairMotion load_pair_motion(const PairTask& task, Index i, Index j) {
+  const ParticlePointers& p = task.particles;
+  if constexpr (equal) {
+    const Columns c = load_differences(p.state + 4, state_stride, i, j);
+    return {{c.c[0], c.c[1], c.c[2]}, Lanes(0.5 * task.mass)};
+  } else {
+    const Moving a = load_motion(p, i), b = load_motion(p, j);
+    return {a.velocity - b.velocity, a.mass * b.mass / (a.mass + b.mass)};
+  }
+}
+
 /// Film between spheres: -c (n . v) n, with c / distance^2 in one division.
-void lubricate(const ParticlePointers& p, const LubricationLaw& law, Index i, Index j, int used) {
-  const Placed a = load_place(p, i), b = load_place(p, j);
-  const Vector<Lanes> apart = a.position - b.position;
-  const Lanes distance2 = dot(apart, apart);
-  const Lanes gap = sqrt(distance2) - a.radius - b.radius;
+template <bool equal>
+void lubricate(const PairTask& task, Index i, Index j, int used) {
+  const LubricationLaw& law = task.lubrication;
+  const PairPlace place = load_pair_place<equal>(task, i, j);
+  const Lanes distance2 = dot(place.apart, place.apart);
+  const Lanes gap = -place.overlap(sqrt(distance2));
   const Lanes film = max(gap, Lanes(law.nearest));
-  const Lanes radius = a.radius * b.radius / (a.radius + b.radius);
   const Lanes coefficient =
-      select(gap <= Lanes(law.farthest),
-             lubrication_coefficient(law.viscosity, radius, film * distance2), Lanes(0.0));
-  const Vector<Lanes> velocity = load_motion(p, i).velocity - load_motion(p, j).velocity;
-  add_force(p, i, j, (-(coefficient * dot(velocity, apart))) * apart, used);
+      select(gap <= Lanes(law.farthest) && gap >= Lanes(law.least()),
+             lubrication_coefficient(law.viscosity, place.effective_radius(), film * distance2), Lanes(0.0));
+  const Vector<Lanes> velocity = load_pair_motion<equal>(task, i, j).velocity;
+  add_force(task.particles, i, j, (-(coefficient * dot(velocity, place.apart))) * place.apart, used);
 }
 
-[[gnu::flatten]] void lubricate_far(const FarTask& task) {
-  for (std::size_t from = 0; from < task.count; from += lanes)
-    lubricate(task.particles, task.lubrication, task.first + from, task.second + from,
-              lanes_left(from, task.count));
-}
-
-template <ContactTerms terms>
+/// \return the overlap, below zero where a contact has ended
+template <ContactTerms terms, bool equal>
 Lanes collide(const PairTask& task, std::size_t from, int used) {
   const ParticlePointers& p = task.particles;
-  const Index i = task.contacts.first + from, j = task.contacts.second + from;
-  const Placed a = load_place(p, i), b = load_place(p, j);
-  const Vector<Lanes> apart = a.position - b.position;
-  const Lanes distance = sqrt(dot(apart, apart));
-  const Moving ma = load_motion(p, i), mb = load_motion(p, j);
+  const Index i = task.contacts.touching.first + from, j = task.contacts.touching.second + from;
+  const PairPlace place = load_pair_place<equal>(task, i, j);
+  const Lanes distance = sqrt(dot(place.apart, place.apart));
+  const Lanes overlap = place.overlap(distance);
+  const PairMotion moves = load_pair_motion<equal>(task, i, j);
   ContactGeometry<Lanes> contact;
-  contact.normal = (Lanes(1.0) / distance) * apart;
-  contact.overlap = a.radius + b.radius - distance;
-  contact.radius = a.radius * b.radius / (a.radius + b.radius);
-  contact.mass = ma.mass * mb.mass / (ma.mass + mb.mass);
-  contact.arm_i = a.radius - Lanes(0.5) * contact.overlap;
-  contact.arm_j = b.radius - Lanes(0.5) * contact.overlap;
-  const ContactMotion<Lanes> motion{ma.velocity - mb.velocity, load_spin(p, i), load_spin(p, j)};
+  contact.normal = (Lanes(1.0) / distance) * place.apart;
+  contact.overlap = max(overlap, Lanes(0.0));
+  contact.radius = place.effective_radius();
+  contact.mass = moves.mass;
+  contact.arm_i = place.radius_i - Lanes(0.5) * contact.overlap;
+  contact.arm_j = place.radius_j - Lanes(0.5) * contact.overlap;
+  const ContactMotion<Lanes> motion{moves.velocity, load_spin(p, i), load_spin(p, j)};
   Springs<Lanes> springs = load_springs<terms>(task.contacts, from);
   const ContactLoads<Lanes> loads = contact_loads<terms>(task.law, contact, motion, task.dt, springs);
   store_springs<terms>(task.contacts, from, springs);
@@ -52,27 +87,34 @@ Lanes collide(const PairTask& task, std::size_t from, int used) {
     add_torque(p, i, loads.torque_i, used);
     add_torque(p, j, loads.torque_j, used);
   }
-  return used_lanes(contact.overlap, used);
+  return overlap;
 }
 
-template <ContactTerms terms>
+template <ContactTerms terms, bool equal>
 [[gnu::flatten]] ContactTally collide_pairs(const PairTask& task) {
-  Sorter sorter{task.contacts, task.lubrication, task.film_first, task.film_second};
-  for (std::size_t from = 0; from < task.count; from += lanes) {
-    const Index i = task.first + from, j = task.second + from;
-    const Placed a = load_place(task.particles, i), b = load_place(task.particles, j);
-    const Vector<Lanes> apart = a.position - b.position;
-    sorter.sort(sqrt(dot(apart, apart)) - a.radius - b.radius, from, i, j,
-                lanes_left(from, task.count));
-  }
-  const std::size_t count = *task.contacts.count;
+  const ContactPointers& c = task.contacts;
+  begin_contacts(c, [&](Index i, Index j) {
+    const PairPlace place = load_pair_place<equal>(task, i, j);
+    return -place.overlap(sqrt(dot(place.apart, place.apart)));
+  });
   Lanes deepest(0.0);
-  for (std::size_t from = 0; from < count; from += lanes)
-    deepest = max(deepest, collide<terms>(task, from, lanes_left(from, count)));
-  for (std::size_t from = 0; from < sorter.films; from += lanes)
-    lubricate(task.particles, task.lubrication, task.film_first + from, task.film_second + from,
-              lanes_left(from, sorter.films));
-  return {static_cast<std::int64_t>(count), stdx::hmax(deepest)};
+  Changes ended{c.changed};
+  for_vectors(*c.touching.count, [&](std::size_t from, int used) {
+    const Lanes overlap = used_lanes(collide<terms, equal>(task, from, used), used);
+    ended.note(overlap <= Lanes(0.0), from, used);
+    deepest = max(deepest, overlap);
+  });
+  end_contacts(c, ended);
+  if (task.lubrication.viscosity > 0) {
+    for_vectors(c.film_count, [&](std::size_t from, int used) {
+      lubricate<equal>(task, c.film_first + from, c.film_second + from, used);
+    });
+    if (c.watched_lubricate)
+      for_vectors(*c.watched.count, [&](std::size_t from, int used) {
+        lubricate<equal>(task, c.watched.first + from, c.watched.second + from, used);
+      });
+  }
+  return {static_cast<std::int64_t>(*c.touching.count), stdx::hmax(deepest)};
 }
 
 }  // namespace

@@ -8,36 +8,34 @@
 namespace clog {
 namespace {
 
-ContactTally pick_pairs(const PairTask& task, ContactTerms terms) {
+/// Calls the loop that is compiled for these terms.
+template <class Loop>
+ContactTally pick(ContactTerms terms, const Loop& loop) {
   const int key = terms.sliding + 2 * terms.rolling + 4 * terms.torsion;
   switch (key) {
-    case 0: return collide_pairs<ContactTerms{false, false, false}>(task);
-    case 1: return collide_pairs<ContactTerms{true, false, false}>(task);
-    case 2: return collide_pairs<ContactTerms{false, true, false}>(task);
-    case 3: return collide_pairs<ContactTerms{true, true, false}>(task);
-    case 4: return collide_pairs<ContactTerms{false, false, true}>(task);
-    case 5: return collide_pairs<ContactTerms{true, false, true}>(task);
-    case 6: return collide_pairs<ContactTerms{false, true, true}>(task);
-    default: return collide_pairs<ContactTerms{true, true, true}>(task);
+    case 0: return loop.template operator()<ContactTerms{false, false, false}>();
+    case 1: return loop.template operator()<ContactTerms{true, false, false}>();
+    case 2: return loop.template operator()<ContactTerms{false, true, false}>();
+    case 3: return loop.template operator()<ContactTerms{true, true, false}>();
+    case 4: return loop.template operator()<ContactTerms{false, false, true}>();
+    case 5: return loop.template operator()<ContactTerms{true, false, true}>();
+    case 6: return loop.template operator()<ContactTerms{false, true, true}>();
+    default: return loop.template operator()<ContactTerms{true, true, true}>();
   }
+}
+
+ContactTally pick_pairs(const PairTask& task, ContactTerms terms) {
+  return pick(terms, [&]<ContactTerms t>() {
+    return task.radius > 0 ? collide_pairs<t, true>(task) : collide_pairs<t, false>(task);
+  });
 }
 
 ContactTally pick_planes(const PlaneTask& task, ContactTerms terms) {
-  const int key = terms.sliding + 2 * terms.rolling + 4 * terms.torsion;
-  switch (key) {
-    case 0: return collide_planes<ContactTerms{false, false, false}>(task);
-    case 1: return collide_planes<ContactTerms{true, false, false}>(task);
-    case 2: return collide_planes<ContactTerms{false, true, false}>(task);
-    case 3: return collide_planes<ContactTerms{true, true, false}>(task);
-    case 4: return collide_planes<ContactTerms{false, false, true}>(task);
-    case 5: return collide_planes<ContactTerms{true, false, true}>(task);
-    case 6: return collide_planes<ContactTerms{false, true, true}>(task);
-    default: return collide_planes<ContactTerms{true, true, true}>(task);
-  }
+  return pick(terms, [&]<ContactTerms t>() { return collide_planes<t>(task); });
 }
 
 constexpr Kernels make_kernels(const char* name) {
-  return {name, lanes, pack, unpack, pick_pairs, lubricate_far, pick_planes, advance};
+  return {name, lanes, pack, unpack, pick_pairs, pick_planes, advance};
 }
 
 }  // namespace
