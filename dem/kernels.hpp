@@ -13,14 +13,14 @@ struct ParticlePointers {
   const double *radius, *mass, *inertia;
   double *x, *y, *z, *vx, *vy, *vz, *wx, *wy, *wz;
   double *fx, *fy, *fz, *tx, *ty, *tz;
-  double *state;  ///< packed: x y z r, vx vy vz m, wx wy wz 0 of each particle
-  double *loads;  ///< packed: fx fy fz 0, tx ty tz 0 of each particle
+  double* state;  ///< of the first record: x y z r, vx vy vz m, wx wy wz 0
+  double* loads;  ///< of the first record: fx fy fz 0, tx ty tz 0
   std::size_t count;
 };
 
-/// Doubles per particle in the packed arrays: four at a time make one load and a transposition of what
-/// would be sixteen single loads for four contacts.
-inline constexpr int state_stride = 16, loads_stride = 8;
+/// Doubles in a particle's record, which holds all that a contact asks for: four at a time make one load
+/// and a transposition of what would be sixteen single loads for four contacts.
+inline constexpr int record_stride = 20, record_loads = 12;
 
 /// Doubles in the widest vector of any instruction set here; arrays that are read in whole vectors are
 /// padded by it.

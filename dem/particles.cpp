@@ -1,5 +1,7 @@
 #include "dem/particles.hpp"
 
+#include <memory>
+
 namespace clog {
 
 namespace {
@@ -34,12 +36,17 @@ void Particles::reorder(const std::vector<int>& order) {
 }
 
 ParticlePointers pointers(Particles& p) {
-  p.state.resize(state_stride * p.size());
-  p.loads.resize(loads_stride * p.size());
+  // On a cache line's border, so that no load of four doubles spans two lines.
+  constexpr std::size_t line = 64;
+  const std::size_t bytes = sizeof(double) * record_stride * p.size();
+  p.records.resize(record_stride * p.size() + line / sizeof(double));
+  void* place = p.records.data();
+  std::size_t space = sizeof(double) * p.records.size();
+  double* records = static_cast<double*>(std::align(line, bytes, place, space));
   return {p.radius.data(), p.mass.data(), p.inertia.data(), p.x.data(),  p.y.data(),  p.z.data(),
           p.vx.data(),     p.vy.data(),   p.vz.data(),      p.wx.data(), p.wy.data(), p.wz.data(),
           p.fx.data(),     p.fy.data(),   p.fz.data(),      p.tx.data(), p.ty.data(), p.tz.data(),
-          p.state.data(),  p.loads.data(), p.size()};
+          records,         records + record_loads, p.size()};
 }
 
 }  // namespace clog

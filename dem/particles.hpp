@@ -27,7 +27,7 @@ struct Particles {
   std::vector<double> wx, wy, wz;
   std::vector<double> fx, fy, fz;     ///< sum of the forces but drag and body force [N]
   std::vector<double> tx, ty, tz;     ///< sum of the torques [N m]
-  std::vector<double> state, loads;   ///< the hot loops' packed copies, see ParticlePointers
+  std::vector<double> records;        ///< the hot loops' packed copies, see ParticlePointers
   std::vector<std::uint8_t> passed;   ///< 1 once the passage plane was crossed
 
   std::size_t size() const { return id.size(); }

@@ -11,14 +11,14 @@ namespace {
 [[gnu::always_inline]] inline void pack_some(const ParticlePointers& p, std::size_t i, int used) {
   const auto store = [&](double* to, const double* x, const double* y, const double* z, const Lanes& w) {
     Records({load_part(x + i, used), load_part(y + i, used), load_part(z + i, used)}, w)
-        .store(to + state_stride * i, state_stride, used);
+        .store(to + record_stride * i, record_stride, used);
   };
   store(p.state, p.x, p.y, p.z, load_part(p.radius + i, used));
   store(p.state + 4, p.vx, p.vy, p.vz, load_part(p.mass + i, used));
   store(p.state + 8, p.wx, p.wy, p.wz, Lanes(0.0));
   const Records none({Lanes(0.0), Lanes(0.0), Lanes(0.0)});
-  none.store(p.loads + loads_stride * i, loads_stride, used);
-  none.store(p.loads + loads_stride * i + 4, loads_stride, used);
+  none.store(p.loads + record_stride * i, record_stride, used);
+  none.store(p.loads + record_stride * i + 4, record_stride, used);
 }
 
 void pack(const ParticlePointers& p) {
@@ -31,7 +31,7 @@ void pack(const ParticlePointers& p) {
   int rows[lanes];
   for (int k = 0; k < lanes; ++k) rows[k] = k < used ? k : 0;
   const auto take = [&](const double* from, double* x, double* y, double* z) {
-    const Columns columns = load_records(from + loads_stride * i, loads_stride, rows);
+    const Columns columns = load_records(from + record_stride * i, record_stride, rows);
     store_part(x + i, columns.c[0], used);
     store_part(y + i, columns.c[1], used);
     store_part(z + i, columns.c[2], used);

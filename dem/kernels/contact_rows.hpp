@@ -53,7 +53,7 @@ void end_contacts(const ContactPointers& c, Changes& changes) {
 template <ContactTerms terms>
 Springs<Lanes> load_springs(const ContactPointers& s, std::size_t from) {
   const Lanes zero(0.0);
-  const auto read = [&](int c) { return Lanes(s.spring[c] + from, stdx::element_aligned); };
+  const auto read = [&](int c) { return load_lanes(s.spring[c] + from); };
   Springs<Lanes> springs{{zero, zero, zero}, {zero, zero, zero}, zero};
   if constexpr (terms.sliding) springs.sliding = {read(0), read(1), read(2)};
   if constexpr (terms.rolling) springs.rolling = {read(3), read(4), read(5)};
@@ -64,7 +64,7 @@ Springs<Lanes> load_springs(const ContactPointers& s, std::size_t from) {
 /// Whole vectors: the arrays are padded, and a contact that begins sets its springs to zero.
 template <ContactTerms terms>
 void store_springs(const ContactPointers& s, std::size_t from, const Springs<Lanes>& springs) {
-  const auto write = [&](int c, const Lanes& v) { v.copy_to(s.spring[c] + from, stdx::element_aligned); };
+  const auto write = [&](int c, const Lanes& v) { store_lanes(s.spring[c] + from, v); };
   if constexpr (terms.sliding)
     write(0, springs.sliding.x), write(1, springs.sliding.y), write(2, springs.sliding.z);
   if constexpr (terms.rolling)

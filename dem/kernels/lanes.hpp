@@ -16,6 +16,19 @@ using Index = const int*;
 using Quad = stdx::simd<double, stdx::simd_abi::deduce_t<double, 4>>;
 typedef double RawQuad __attribute__((vector_size(32)));
 
+/// Vectors in memory, aligned as a double is. Read and written through these types and not as bytes:
+/// bytes could be anybody's, so that after each store the compiler would have to read all indices anew.
+typedef double QuadInMemory __attribute__((vector_size(32), aligned(8)));
+typedef double LanesInMemory __attribute__((vector_size(8 * lanes), aligned(8)));
+
+[[gnu::always_inline]] inline Lanes load_lanes(const double* values) {
+  return Lanes(*reinterpret_cast<const LanesInMemory*>(values));
+}
+
+[[gnu::always_inline]] inline void store_lanes(double* values, const Lanes& amount) {
+  *reinterpret_cast<LanesInMemory*>(values) = static_cast<LanesInMemory>(amount);
+}
+
 /// One component of many records as vectors.
 struct Columns {
   Lanes c[4];
@@ -27,9 +40,7 @@ struct Columns {
 
 #ifdef __AVX__
 [[gnu::always_inline]] inline RawQuad load_quad(const double* record) {
-  RawQuad quad;
-  __builtin_memcpy(&quad, record, sizeof quad);
-  return quad;
+  return *reinterpret_cast<const QuadInMemory*>(record);
 }
 
 /// A vector from its quads, and back. Templates, so that only the branch that fits is compiled.
@@ -135,8 +146,11 @@ struct Records {
   /// Row k becomes record k, for the first `used` lanes.
   [[gnu::always_inline]] void store(double* base, int stride, int used) const {
     const auto put = [&](int k) {
-      const auto& row = rows[k];
-      __builtin_memcpy(base + stride * k, &row, sizeof row);
+#ifdef __AVX__
+      *reinterpret_cast<QuadInMemory*>(base + stride * k) = rows[k];
+#else
+      for (int c = 0; c < 4; ++c) base[stride * k + c] = rows[k][c];
+#endif
     };
     if (used == lanes) {
 #pragma GCC unroll 8
@@ -152,8 +166,7 @@ struct Records {
   void apply(double* record, int k) const {
 #ifdef __AVX__
     const RawQuad before = load_quad(record);
-    const RawQuad after = sign > 0 ? before + rows[k] : before - rows[k];
-    __builtin_memcpy(record, &after, sizeof after);
+    *reinterpret_cast<QuadInMemory*>(record) = sign > 0 ? before + rows[k] : before - rows[k];
 #else
     for (int c = 0; c < 3; ++c) record[c] += sign * rows[k][c];
 #endif
@@ -163,9 +176,9 @@ struct Records {
   template <int sign>
   void apply(double* base, Index at, int used) const {
     if (used == lanes) {
-      for (int k = 0; k < lanes; ++k) apply<sign>(base + loads_stride * at[k], k);
+      for (int k = 0; k < lanes; ++k) apply<sign>(base + record_stride * at[k], k);
     } else {
-      for (int k = 0; k < used; ++k) apply<sign>(base + loads_stride * at[k], k);
+      for (int k = 0; k < used; ++k) apply<sign>(base + record_stride * at[k], k);
     }
   }
 };
@@ -177,7 +190,7 @@ struct Placed {
 };
 
 [[gnu::always_inline]] inline Placed load_place(const ParticlePointers& p, Index at) {
-  const Columns c = load_records(p.state, state_stride, at);
+  const Columns c = load_records(p.state, record_stride, at);
   return {{c.c[0], c.c[1], c.c[2]}, c.c[3]};
 }
 
@@ -187,12 +200,12 @@ struct Moving {
 };
 
 [[gnu::always_inline]] inline Moving load_motion(const ParticlePointers& p, Index at) {
-  const Columns c = load_records(p.state + 4, state_stride, at);
+  const Columns c = load_records(p.state + 4, record_stride, at);
   return {{c.c[0], c.c[1], c.c[2]}, c.c[3]};
 }
 
 [[gnu::always_inline]] inline Vector<Lanes> load_spin(const ParticlePointers& p, Index at) {
-  const Columns c = load_records(p.state + 8, state_stride, at);
+  const Columns c = load_records(p.state + 8, record_stride, at);
   return {c.c[0], c.c[1], c.c[2]};
 }
 
@@ -224,7 +237,7 @@ struct Moving {
 
 /// Reads or writes a stretch of an array that may end before the vector does.
 [[gnu::always_inline]] inline Lanes load_part(const double* values, int used) {
-  if (used == lanes) return Lanes(values, stdx::element_aligned);
+  if (used == lanes) return load_lanes(values);
   return Lanes([&](auto k) {
     const int lane = static_cast<int>(k);
     return values[lane < used ? lane : used - 1];
@@ -233,7 +246,7 @@ struct Moving {
 
 [[gnu::always_inline]] inline void store_part(double* values, Lanes amount, int used) {
   if (used == lanes) {
-    amount.copy_to(values, stdx::element_aligned);
+    store_lanes(values, amount);
   } else {
     for (int k = 0; k < used; ++k) values[k] = amount[k];
   }

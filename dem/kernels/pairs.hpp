@@ -22,7 +22,7 @@ template <bool equal>
 PairPlace load_pair_place(const PairTask& task, Index i, Index j) {
   const ParticlePointers& p = task.particles;
   if constexpr (equal) {
-    const Columns c = load_differences(p.state, state_stride, i, j);
+    const Columns c = load_differences(p.state, record_stride, i, j);
     return {{c.c[0], c.c[1], c.c[2]}, Lanes(task.radius), Lanes(task.radius)};
   } else {
     const Placed a = load_place(p, i), b = load_place(p, j);
@@ -39,7 +39,7 @@ template <bool equal>
 PairMotion load_pair_motion(const PairTask& task, Index i, Index j) {
   const ParticlePointers& p = task.particles;
   if constexpr (equal) {
-    const Columns c = load_differences(p.state + 4, state_stride, i, j);
+    const Columns c = load_differences(p.state + 4, record_stride, i, j);
     return {{c.c[0], c.c[1], c.c[2]}, Lanes(0.5 * task.mass)};
   } else {
     const Moving a = load_motion(p, i), b = load_motion(p, j);
@@ -91,7 +91,9 @@ Lanes collide(const PairTask& task, std::size_t from, int used) {
 }
 
 template <ContactTerms terms, bool equal>
-[[gnu::flatten]] ContactTally collide_pairs(const PairTask& task) {
+[[gnu::flatten]] ContactTally collide_pairs(const PairTask& given) {
+  // A copy of its own: nothing that the loops write can change it, so its constants stay in registers.
+  const PairTask task = given;
   const ContactPointers& c = task.contacts;
   begin_contacts(c, [&](Index i, Index j) {
     const PairPlace place = load_pair_place<equal>(task, i, j);

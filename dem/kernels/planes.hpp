@@ -59,7 +59,9 @@ void lubricate_plane(const PlaneTask& task, Index i, Index slot, int used) {
 }
 
 template <ContactTerms terms>
-[[gnu::flatten]] ContactTally collide_planes(const PlaneTask& task) {
+[[gnu::flatten]] ContactTally collide_planes(const PlaneTask& given) {
+  // A copy of its own: nothing that the loops write can change it, so its constants stay in registers.
+  const PlaneTask task = given;
   const ContactPointers& c = task.contacts;
   begin_contacts(c, [&](Index i, Index slot) { return -OverPlane(task, i, slot).overlap; });
   Lanes deepest(0.0);

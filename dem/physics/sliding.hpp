@@ -2,6 +2,8 @@
 // spring-slider serves sliding, rolling and torsion.
 #pragma once
 
+#include <limits>
+
 #include "dem/physics/number.hpp"
 
 namespace clog {
@@ -24,8 +26,11 @@ Real mindlin_stiffness(double factor, double shear_modulus, Real root) {
 /// \return s, perpendicular to n [m]; zero if s was parallel to n
 template <class Real>
 Vector<Real> turn_into_plane(const Vector<Real>& spring, const Vector<Real>& normal) {
-  const Vector<Real> flat = spring - dot(spring, normal) * normal;
+  const Real along = dot(spring, normal);
+  const Vector<Real> flat = spring - along * normal;
   const Real before = dot(spring, spring);
+  // A pack at rest turns by less than rounding: the root and the division would change nothing.
+  if (!any_of(along * along > Real(std::numeric_limits<double>::epsilon()) * before)) return flat;
   const Real after = dot(flat, flat);
   const auto turnable = after > Real(0.0);
   const Real scale =

@@ -26,7 +26,10 @@ public:
     p_.add({.radius = r, .mass = 1, .inertia = 1});
   }
 
-  void rebuild() { walls_.rebuild(p_, {0}); }
+  void rebuild() {
+    walls_.rebuild(p_, {0});
+    walls_.sort(p_, skin, laws_.lubrication);
+  }
 
   Vec3 force(const Vec3& centre, const Vec3& velocity = Vec3::Zero()) {
     p_.x[0] = centre.x(), p_.y[0] = centre.y(), p_.z[0] = centre.z();
