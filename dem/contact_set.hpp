@@ -1,6 +1,6 @@
-// The contacts among a list of candidates and their springs, kept compact: what touches stands side by
-// side in memory, so that the hot loop reads and writes whole vectors. Of the other candidates only
-// those that could begin to touch soon are looked at in every step.
+// The contacts among a list of candidates and their springs, kept compact: what touches stands side
+// by side in memory, so that the hot loop reads and writes whole vectors. Of the other candidates
+// only those that could begin to touch soon are looked at in every step.
 #pragma once
 
 #include <array>
@@ -17,11 +17,11 @@ struct Candidates {
   std::size_t count;
 };
 
-/// Candidates are the entries of a pair list (or of a list of particles and planes). Every candidate
-/// touches, or is watched, or may have a fluid film and nothing else, or is left alone; sort() decides
-/// for as long as no gap changes by more than a margin, the hot loop moves rows between the touching
-/// and the watched. The order of the rows depends on the run's history alone, and is the same on every
-/// machine.
+/// Candidates are the entries of a pair list (or of a list of particles and planes). Every
+/// candidate touches, or is watched, or may have a fluid film and nothing else, or is left alone;
+/// sort() decides for as long as no gap changes by more than a margin, the hot loop moves rows
+/// between the touching and the watched. The order of the rows depends on the run's history alone,
+/// and is the same on every machine.
 class ContactSet {
 public:
   /// Forgets everything.
@@ -76,7 +76,8 @@ private:
 };
 
 template <class Gap>
-void ContactSet::sort(const Candidates& list, double margin, const LubricationLaw& law, const Gap& gap) {
+void ContactSet::sort(const Candidates& list, double margin, const LubricationLaw& law,
+                      const Gap& gap) {
   std::vector<std::uint8_t> touches(list.count, 0);
   for (std::size_t row = 0; row < touching_.count; ++row) touches[touching_.candidate[row]] = 1;
   watched_.count = films_.count = 0;
@@ -94,8 +95,8 @@ void ContactSet::sort(const Candidates& list, double margin, const LubricationLa
   make_room();
 }
 
-/// The same springs seen from the other particle: the normal and the sliding velocity change sign; the
-/// rolling velocity -R* n x (w_i - w_j) and n . (w_i - w_j) do not, for both factors do.
+/// The same springs seen from the other particle: the normal and the sliding velocity change sign;
+/// the rolling velocity -R* n x (w_i - w_j) and n . (w_i - w_j) do not, for both factors do.
 Springs<double> swapped(const Springs<double>& springs);
 
 }  // namespace clog

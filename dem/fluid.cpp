@@ -8,28 +8,42 @@ Fluid::Fluid(const Scene& scene, FlowField field, PorosityStrips strips)
     : field_(std::move(field)),
       strips_(std::move(strips)),
       viscosity_(scene.fluid.viscosity),
+      kernels_(select_kernels()),
       drag_(scene.drag.enabled),
       superficial_(scene.drag.velocity == DragVelocity::superficial),
       viscous_torque_(scene.drag.viscous_torque) {}
 
-void Fluid::evaluate(const Particles& p) {
+void Fluid::evaluate(Particles& p) {
   if (!drag_) return;
   // Per strip: 1 / eps, and f(eps) with the factor eps of the superficial velocity.
   const std::size_t strips = strips_.empty() ? 1 : strips_.porosity().size();
   std::vector<double> speed_up(strips, 1.0), factor(strips, 1.0);
-  for (std::size_t k = 0; k < strips_.porosity().size(); ++k) {
-    const double porosity = strips_.porosity()[k];
-    speed_up[k] = 1 / porosity;
-    factor[k] = voidage_function(porosity) * (superficial_ ? porosity : 1.0);
-  }
+  for (double& share : factor) share *= stokes_coefficient(viscosity_, 2);  // per radius
   for (auto* values : {&ux_, &uy_, &uz_, &coefficient_}) values->resize(p.size());
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const int strip = strips_.empty() ? 0 : strips_.strip_at(p.x[i]);
-    const auto u = field_.at(p.x[i], p.y[i], p.z[i]);
-    ux_[i] = speed_up[strip] * u[0];
-    uy_[i] = speed_up[strip] * u[1];
-    uz_[i] = speed_up[strip] * u[2];
-    coefficient_[i] = factor[strip] * stokes_coefficient(viscosity_, 2 * p.radius[i]);
+  const StripPlace strip = strips_.place();
+  FlowTask task{pointers(p),
+                nullptr,
+                {},
+                0,
+                {},
+                strip.start,
+                strip.per_length,
+                strip.last,
+                speed_up.data(),
+                factor.data(),
+                ux_.data(),
+                uy_.data(),
+                uz_.data(),
+                coefficient_.data()};
+  if (field_.describe(task)) {
+    kernels_.sample_nearest(task);
+  } else {
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const int k = strip.strip_at(p.x[i]);
+      const auto u = field_.at(p.x[i], p.y[i], p.z[i]);
+      ux_[i] = speed_up[k] * u[0], uy_[i] = speed_up[k] * u[1], uz_[i] = speed_up[k] * u[2];
+      coefficient_[i] = factor[k] * p.radius[i];
+    }
   }
   if (!viscous_torque_) return;
   for (auto* values : {&turn_, &sx_, &sy_, &sz_}) values->resize(p.size());

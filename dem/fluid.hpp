@@ -20,10 +20,12 @@ public:
   Fluid(const Scene& scene, FlowField field, PorosityStrips strips);
 
   /// Measures the porosity anew.
-  void update_porosity(const Particles& particles) { if (!strips_.empty()) strips_.update(particles); }
+  void update_porosity(const Particles& particles) {
+    if (!strips_.empty()) strips_.update(particles);
+  }
 
   /// Fills velocity and drag of every particle. Does nothing when the scene has no drag.
-  void evaluate(const Particles& particles);
+  void evaluate(Particles& particles);
 
   /// Points a task to what evaluate() filled.
   void attach(AdvanceTask& task) const;
@@ -43,6 +45,7 @@ private:
   FlowField field_;
   PorosityStrips strips_;
   double viscosity_;
+  const Kernels& kernels_;
   bool drag_, superficial_, viscous_torque_;
   std::vector<double> ux_, uy_, uz_, coefficient_;
   std::vector<double> turn_, sx_, sy_, sz_;

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "dem/physics/contact.hpp"
+#include "dem/physics/grid_place.hpp"
 
 namespace clog {
 
@@ -18,12 +19,12 @@ struct ParticlePointers {
   std::size_t count;
 };
 
-/// Doubles in a particle's record, which holds all that a contact asks for: four at a time make one load
-/// and a transposition of what would be sixteen single loads for four contacts.
+/// Doubles in a particle's record, which holds all that a contact asks for: four at a time make one
+/// load and a transposition of what would be sixteen single loads for four contacts.
 inline constexpr int record_stride = 20, record_loads = 12;
 
-/// Doubles in the widest vector of any instruction set here; arrays that are read in whole vectors are
-/// padded by it.
+/// Doubles in the widest vector of any instruction set here; arrays that are read in whole vectors
+/// are padded by it.
 inline constexpr std::size_t widest_vector = 8;
 
 /// Rows of a list: two particles, or a particle and a plane, and the candidate that they are.
@@ -35,9 +36,9 @@ struct RowPointers {
 /// A ContactSet. There is room for every row of `touching` in `watched` and the other way round.
 struct ContactPointers {
   RowPointers touching;
-  double* spring[7];       ///< of the touching: sliding x y z, rolling x y z, torsion, each side by side
-  RowPointers watched;     ///< candidates that may begin to touch before the next sorting
-  int* changed;            ///< scratch, as long as the rows
+  double* spring[7];  ///< of the touching: sliding x y z, rolling x y z, torsion, each side by side
+  RowPointers watched;  ///< candidates that may begin to touch before the next sorting
+  int* changed;         ///< scratch, as long as the rows
   const int *film_first, *film_second;  ///< candidates that may lubricate and cannot touch
   std::size_t film_count;
   bool watched_lubricate;  ///< whether the watched can have a film
@@ -79,6 +80,19 @@ struct PlaneTask {
   double dt;
 };
 
+/// Velocity of the fluid and drag coefficient of every particle, from the nearest point of a grid
+/// and the strip that the particle is in.
+struct FlowTask {
+  ParticlePointers particles;
+  const float* velocity;                ///< V0, three numbers a point, x fastest [m/s]
+  double origin[3], points_per_length;  ///< [m], [1/m]
+  int points[3];
+  double strip_start, strips_per_length, last_strip;  ///< [m], [1/m]
+  const double* speed_up;                             ///< of each strip: 1 / eps
+  const double* drag_per_radius;                      ///< of each strip [N s/m2]
+  double *ux, *uy, *uz, *drag;                        ///< [m/s], [N s/m]
+};
+
 /// Drag, kick and drift of every particle: v += a kick, x += v drift.
 struct AdvanceTask {
   ParticlePointers particles;
@@ -89,7 +103,7 @@ struct AdvanceTask {
   double body_force[3];        ///< [N]
   double kick, drift;          ///< [s]
   bool implicit_drag;
-  double passage;              ///< place of the passage plane [m]
+  double passage;  ///< place of the passage plane [m]
 };
 
 struct AdvanceTally {
@@ -100,17 +114,19 @@ struct AdvanceTally {
 };
 
 struct Kernels {
-  const char* name;  ///< instruction set
-  int lanes;         ///< doubles in a vector
+  const char* name;                         ///< instruction set
+  int lanes;                                ///< doubles in a vector
   void (*pack)(const ParticlePointers&);    ///< state from the arrays; clears the packed loads
   void (*unpack)(const ParticlePointers&);  ///< packed loads into fx ... tz
   ContactTally (*collide_pairs)(const PairTask&, ContactTerms);
   ContactTally (*collide_planes)(const PlaneTask&, ContactTerms);
+  void (*sample_nearest)(const FlowTask&);
   AdvanceTally (*advance)(const AdvanceTask&);
 };
 
 /// The table for the best instruction set that both this program and this processor have.
-/// \param wanted  name of an instruction set, or empty for the best; CLOG_ISA in the environment does
+/// \param wanted  name of an instruction set, or empty for the best; CLOG_ISA in the environment
+/// does
 ///                the same
 /// \throws Error if it is unknown or the processor lacks it
 const Kernels& select_kernels(const char* wanted = nullptr);

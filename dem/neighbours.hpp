@@ -24,7 +24,8 @@ public:
   std::vector<int> rebuild(Particles& particles, const std::vector<std::uint8_t>& leaving,
                            const Reach& reach);
 
-  /// Sorts the pairs that do not touch by their gaps; holds until a gap may have changed by `margin`.
+  /// Sorts the pairs that do not touch by their gaps; holds until a gap may have changed by
+  /// `margin`.
   void sort(const Particles& particles, double margin, const LubricationLaw& law);
 
   /// Pairs that may touch or lubricate, i < j: the candidates of `contacts`.

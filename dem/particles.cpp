@@ -43,10 +43,11 @@ ParticlePointers pointers(Particles& p) {
   void* place = p.records.data();
   std::size_t space = sizeof(double) * p.records.size();
   double* records = static_cast<double*>(std::align(line, bytes, place, space));
-  return {p.radius.data(), p.mass.data(), p.inertia.data(), p.x.data(),  p.y.data(),  p.z.data(),
-          p.vx.data(),     p.vy.data(),   p.vz.data(),      p.wx.data(), p.wy.data(), p.wz.data(),
-          p.fx.data(),     p.fy.data(),   p.fz.data(),      p.tx.data(), p.ty.data(), p.tz.data(),
-          records,         records + record_loads, p.size()};
+  return {p.radius.data(), p.mass.data(), p.inertia.data(), p.x.data(),  p.y.data(),
+          p.z.data(),      p.vx.data(),   p.vy.data(),      p.vz.data(), p.wx.data(),
+          p.wy.data(),     p.wz.data(),   p.fx.data(),      p.fy.data(), p.fz.data(),
+          p.tx.data(),     p.ty.data(),   p.tz.data(),      records,     records + record_loads,
+          p.size()};
 }
 
 }  // namespace clog

@@ -16,8 +16,8 @@ namespace {
 /// The channel counts as full when nothing was inserted for this many tau and it is at rest.
 constexpr double full_after = 1.0;
 
-/// Filling takes about as long as the flow needs to pass the channel twice; beyond this many passages
-/// it will not come to rest at all.
+/// Filling takes about as long as the flow needs to pass the channel twice; beyond this many
+/// passages it will not come to rest at all.
 constexpr double longest_fill = 10;
 
 /// Friction is off for this many tau in a tap, as long as in a release of the paper's scene.
@@ -198,9 +198,9 @@ void Simulation::compute_forces() {
   laws.contact = wall_law_;
   laws.dt = dt;
   kernels_.pack(p);
-  pair_tally_ = kernels_.collide_pairs({p, n.contacts.pointers(), pair_law_, model_.lubrication, dt,
-                                        n.equal_radius, n.equal_mass},
-                                       model_.pair_terms);
+  pair_tally_ = kernels_.collide_pairs(
+      {p, n.contacts.pointers(), pair_law_, model_.lubrication, dt, n.equal_radius, n.equal_mass},
+      model_.pair_terms);
   wall_tally_ = walls_.collide_planes(particles_, kernels_, laws);
   kernels_.unpack(p);
   const ContactTally corners = walls_.collide_corners(particles_, laws);
@@ -251,8 +251,9 @@ void Simulation::take_out() {
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (p.x[i] > d.outlet) {
       leaving_[i] = 1;
-      energy_in_ -= 0.5 * p.mass[i] * (p.vx[i] * p.vx[i] + p.vy[i] * p.vy[i] + p.vz[i] * p.vz[i]) +
-                    0.5 * p.inertia[i] * (p.wx[i] * p.wx[i] + p.wy[i] * p.wy[i] + p.wz[i] * p.wz[i]);
+      energy_in_ -=
+          0.5 * p.mass[i] * (p.vx[i] * p.vx[i] + p.vy[i] * p.vy[i] + p.vz[i] * p.vz[i]) +
+          0.5 * p.inertia[i] * (p.wx[i] * p.wx[i] + p.wy[i] * p.wy[i] + p.wz[i] * p.wz[i]);
       continue;
     }
     const Vec3 place(p.x[i], p.y[i], p.z[i]);

@@ -21,12 +21,12 @@ namespace clog {
 
 /// What a watcher is told now and then.
 struct Progress {
-  double time = 0, end = 0;           ///< simulated; negative while the channel is filled [s]
-  std::int64_t steps = 0;             ///< done
-  double particle_steps = 0;          ///< done
+  double time = 0, end = 0;   ///< simulated; negative while the channel is filled [s]
+  std::int64_t steps = 0;     ///< done
+  double particle_steps = 0;  ///< done
   std::size_t particles = 0;
   std::size_t passages = 0;
-  bool clogged = false;               ///< nothing passed for half a tau
+  bool clogged = false;  ///< nothing passed for half a tau
   bool filling = false;
 };
 using Watcher = std::function<void(const Progress&)>;
@@ -52,9 +52,9 @@ public:
   double elastic_energy() const;  ///< of all springs, after compute_forces() [J]
   double kinetic_energy() const;  ///< at the time of the positions [J]
 
-  /// Everything that the next step depends on, and all that was recorded, as bytes; between two steps
-  /// only, that is from a watcher. A simulation of the same scene and seed that resumes from it goes on
-  /// with the same bits.
+  /// Everything that the next step depends on, and all that was recorded, as bytes; between two
+  /// steps only, that is from a watcher. A simulation of the same scene and seed that resumes from
+  /// it goes on with the same bits.
   std::string save();
   void resume(const std::string& state);
 
@@ -73,7 +73,8 @@ public:
   const ContactTally& wall_tally() const { return wall_tally_; }
 
 private:
-  /// A filled start: the pack settles against the gate, is tapped, settles again ... until it opens.
+  /// A filled start: the pack settles against the gate, is tapped, settles again ... until it
+  /// opens.
   struct Filling {
     enum class Stage { before, settle, tap, done };
     Stage stage = Stage::before;
@@ -113,10 +114,9 @@ private:
     archive(gate_closed_);
     if (Archive::loading && gate_closed_) set_walls(true);
     archive(random_, inlet_, watch_, particles_, neighbours_, walls_, fluid_, pair_law_, wall_law_,
-            data_, step_, kick_, drifted_, way_, margin_, drifted_when_sorted_,
-            lists_stale_, lists_are_new_, next_insertion_, next_porosity_, next_series_,
-            next_snapshot_, particle_steps_, drag_work_, body_work_, energy_in_, filling_,
-            step_watch_, seconds_);
+            data_, step_, kick_, drifted_, way_, margin_, drifted_when_sorted_, lists_stale_,
+            lists_are_new_, next_insertion_, next_porosity_, next_series_, next_snapshot_,
+            particle_steps_, drag_work_, body_work_, energy_in_, filling_, step_watch_, seconds_);
   }
 
   Model model_;
@@ -133,22 +133,22 @@ private:
   std::vector<std::uint8_t> leaving_;
   RunData data_;
   std::int64_t step_ = 0;
-  double kick_ = 0;            // dt, or dt/2 in the very first step: the velocities given are at x_0
-  double drifted_ = 0;         // bound on any particle's way since the lists were made [m]
-  double way_ = 0;             // of the fastest particle in the last step [m]
-  double margin_ = 0;          // gaps may change by this much before the candidates are sorted anew [m]
+  double kick_ = 0;     // dt, or dt/2 in the very first step: the velocities given are at x_0
+  double drifted_ = 0;  // bound on any particle's way since the lists were made [m]
+  double way_ = 0;      // of the fastest particle in the last step [m]
+  double margin_ = 0;   // gaps may change by this much before the candidates are sorted anew [m]
   double drifted_when_sorted_ = 0;
   bool lists_stale_ = true, lists_are_new_ = false;
   double next_insertion_ = 0, next_porosity_ = 0, next_series_ = 0, next_snapshot_ = 0;
   double particle_steps_ = 0;
   double drag_work_ = 0, body_work_ = 0;
-  double energy_in_ = 0;       // kinetic and elastic energy at the start, and of what came and went [J]
+  double energy_in_ = 0;  // kinetic and elastic energy at the start, and of what came and went [J]
   Filling filling_;
   StepWatch step_watch_;
   std::function<void(const std::string&)> say_;
   bool gate_closed_ = false;
   using Clock = std::chrono::steady_clock;
-  double seconds_ = 0;         // of wall-clock time spent before clock_ [s]
+  double seconds_ = 0;  // of wall-clock time spent before clock_ [s]
   Clock::time_point clock_ = Clock::now();
 };
 

@@ -12,8 +12,8 @@ namespace {
 
 using Touch = WallContacts::Touch;
 
-/// A contact's place moves by far less than this share of the radius in one step; two contacts of one
-/// sphere are farther apart unless the wall turns by a few degrees only.
+/// A contact's place moves by far less than this share of the radius in one step; two contacts of
+/// one sphere are farther apart unless the wall turns by a few degrees only.
 constexpr double same_place = 0.1;
 
 Vec3 centre_of(const Particles& p, int i) { return {p.x[i], p.y[i], p.z[i]}; }
@@ -23,12 +23,13 @@ Vector<double> to_vector(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 /// Takes the springs of the remembered contact nearest to the place, if it is the same contact.
 bool recall(std::vector<Touch>& memory, int particle, const Vec3& place, double radius,
             Springs<double>& springs) {
-  const auto [begin, end] = std::equal_range(
-      memory.begin(), memory.end(), particle,
-      [](const auto& a, const auto& b) {
+  const auto [begin, end] =
+      std::equal_range(memory.begin(), memory.end(), particle, [](const auto& a, const auto& b) {
         const auto number = [](const auto& v) {
-          if constexpr (std::is_same_v<std::decay_t<decltype(v)>, int>) return v;
-          else return v.particle;
+          if constexpr (std::is_same_v<std::decay_t<decltype(v)>, int>)
+            return v;
+          else
+            return v.particle;
         };
         return number(a) < number(b);
       });
@@ -119,7 +120,8 @@ void WallContacts::rebuild(const Particles& p, const std::vector<int>& renumbere
   contacts_.reset();
   for (std::size_t k = 0; k < known.size(); ++k)
     if (known[k])
-      contacts_.add({particle_.data(), slot_.data(), slot_.size()}, static_cast<int>(k), recalled[k]);
+      contacts_.add({particle_.data(), slot_.data(), slot_.size()}, static_cast<int>(k),
+                    recalled[k]);
   corner_touches_ = std::move(memory);
 }
 
@@ -182,7 +184,8 @@ std::vector<Touch> WallContacts::touches(const Particles& p) const {
     const int k = contacts_.candidate(contact), i = particle_[k];
     const Vec3 normal(nx_[k], ny_[k], nz_[k]), centre = centre_of(p, i);
     const double height = normal.dot(centre) - offset_[k];
-    all.push_back({i, centre - height * normal, normal, p.radius[i] - height, contacts_.springs(contact)});
+    all.push_back(
+        {i, centre - height * normal, normal, p.radius[i] - height, contacts_.springs(contact)});
   }
   return all;
 }

@@ -20,10 +20,11 @@ struct WallLaws {
   double dt = 0;
 };
 
-/// Two lists, made anew together with the pair list: particles that can meet only the inside of a flat
-/// patch (a plane: the SIMD kernel), and particles near an edge or corner (triangle by triangle).
-/// A contact is the same as in the last step if its place on the wall is, whatever triangle it is on:
-/// so springs survive a sphere's way across an edge, and from one list into the other.
+/// Two lists, made anew together with the pair list: particles that can meet only the inside of a
+/// flat patch (a plane: the SIMD kernel), and particles near an edge or corner (triangle by
+/// triangle). A contact is the same as in the last step if its place on the wall is, whatever
+/// triangle it is on: so springs survive a sphere's way across an edge, and from one list into the
+/// other.
 class WallContacts {
 public:
   WallContacts() = default;
@@ -31,7 +32,8 @@ public:
   /// \param radius  of the largest particle [m]
   WallContacts(const Walls& walls, double radius, const Reach& reach);
 
-  /// Puts other walls in place; contacts go on where both have the same surface. Call rebuild() next.
+  /// Puts other walls in place; contacts go on where both have the same surface. Call rebuild()
+  /// next.
   void change(const Walls& walls, double radius, const Particles& particles);
 
   /// \param renumbered  new index of each old particle, -1 if it left

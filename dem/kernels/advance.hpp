@@ -9,7 +9,8 @@ namespace {
 
 /// State of the particles from i on into records, and their loads cleared.
 [[gnu::always_inline]] inline void pack_some(const ParticlePointers& p, std::size_t i, int used) {
-  const auto store = [&](double* to, const double* x, const double* y, const double* z, const Lanes& w) {
+  const auto store = [&](double* to, const double* x, const double* y, const double* z,
+                         const Lanes& w) {
     Records({load_part(x + i, used), load_part(y + i, used), load_part(z + i, used)}, w)
         .store(to + record_stride * i, record_stride, used);
   };
@@ -63,7 +64,8 @@ void unpack(const ParticlePointers& p) {
       const Lanes other = load_part(f + from, used) + Lanes(body);
       const Lanes drag = task.drag ? c * (load_part(u + from, used) - before) : Lanes(0.0);
       const Lanes after = before + share * rate * (other + drag);
-      // The drag that acted over the step, implicit or not: what the other forces leave of the kick.
+      // The drag that acted over the step, implicit or not: what the other forces leave of the
+      // kick.
       const Lanes acted = (after - before) / rate - other;
       const Lanes middle = half * (before + after) * kick * counted;
       drag_work += acted * middle;

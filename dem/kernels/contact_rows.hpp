@@ -14,7 +14,8 @@ void move_row(const RowPointers& from, std::size_t at, const RowPointers& to) {
   to.candidate[end] = from.candidate[at], from.candidate[at] = from.candidate[last];
 }
 
-/// Rows to be moved. Moved from the last to the first, so that what takes a row's place has been seen.
+/// Rows to be moved. Moved from the last to the first, so that what takes a row's place has been
+/// seen.
 struct Changes {
   int* rows;
   std::size_t count = 0;

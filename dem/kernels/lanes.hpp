@@ -1,6 +1,6 @@
-// Vectors of doubles and how they get to and from the particles. Everything in this folder's headers is
-// compiled once per instruction set, under flags that no other file has; it must therefore use nothing
-// that another file could also instantiate (no containers).
+// Vectors of doubles and how they get to and from the particles. Everything in this folder's
+// headers is compiled once per instruction set, under flags that no other file has; it must
+// therefore use nothing that another file could also instantiate (no containers).
 #pragma once
 
 #include "dem/kernels.hpp"
@@ -16,8 +16,9 @@ using Index = const int*;
 using Quad = stdx::simd<double, stdx::simd_abi::deduce_t<double, 4>>;
 typedef double RawQuad __attribute__((vector_size(32)));
 
-/// Vectors in memory, aligned as a double is. Read and written through these types and not as bytes:
-/// bytes could be anybody's, so that after each store the compiler would have to read all indices anew.
+/// Vectors in memory, aligned as a double is. Read and written through these types and not as
+/// bytes: bytes could be anybody's, so that after each store the compiler would have to read all
+/// indices anew.
 typedef double QuadInMemory __attribute__((vector_size(32), aligned(8)));
 typedef double LanesInMemory __attribute__((vector_size(8 * lanes), aligned(8)));
 
@@ -99,13 +100,15 @@ template <class V>
 
 /// Records of i less those of j, lane by lane: subtracted before they are transposed, which is once
 /// instead of twice.
-[[gnu::always_inline]] inline Columns load_differences(const double* base, int stride, Index i, Index j) {
+[[gnu::always_inline]] inline Columns load_differences(const double* base, int stride, Index i,
+                                                       Index j) {
 #ifdef __AVX__
   Columns columns;
   RawQuad quads[lanes / 4][4];
   for (int half = 0; half < lanes / 4; ++half) {
     for (int k = 0; k < 4; ++k)
-      quads[half][k] = load_quad(base + stride * i[4 * half + k]) - load_quad(base + stride * j[4 * half + k]);
+      quads[half][k] =
+          load_quad(base + stride * i[4 * half + k]) - load_quad(base + stride * j[4 * half + k]);
     transpose(quads[half]);
   }
   for (int c = 0; c < 4; ++c) {
@@ -160,8 +163,8 @@ struct Records {
     }
   }
 
-  /// Adds (sign 1) or subtracts (sign -1) row k to the record, one row after the other: two lanes may
-  /// name the same record.
+  /// Adds (sign 1) or subtracts (sign -1) row k to the record, one row after the other: two lanes
+  /// may name the same record.
   template <int sign>
   void apply(double* record, int k) const {
 #ifdef __AVX__
@@ -209,18 +212,21 @@ struct Moving {
   return {c.c[0], c.c[1], c.c[2]};
 }
 
-[[gnu::always_inline]] inline void add_force(const ParticlePointers& p, Index at, const Vector<Lanes>& force, int used) {
+[[gnu::always_inline]] inline void add_force(const ParticlePointers& p, Index at,
+                                             const Vector<Lanes>& force, int used) {
   Records(force).apply<1>(p.loads, at, used);
 }
 
 /// Newton's third law: i gets the force, j its opposite.
-[[gnu::always_inline]] inline void add_force(const ParticlePointers& p, Index i, Index j, const Vector<Lanes>& force, int used) {
+[[gnu::always_inline]] inline void add_force(const ParticlePointers& p, Index i, Index j,
+                                             const Vector<Lanes>& force, int used) {
   const Records records(force);
   records.apply<1>(p.loads, i, used);
   records.apply<-1>(p.loads, j, used);
 }
 
-[[gnu::always_inline]] inline void add_torque(const ParticlePointers& p, Index at, const Vector<Lanes>& torque, int used) {
+[[gnu::always_inline]] inline void add_torque(const ParticlePointers& p, Index at,
+                                              const Vector<Lanes>& torque, int used) {
   Records(torque).apply<1>(p.loads + 4, at, used);
 }
 

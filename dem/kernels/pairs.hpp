@@ -7,13 +7,14 @@
 namespace clog {
 namespace {
 
-/// Places of pairs and their sizes. Equal spheres need one transposition instead of two, and all that
-/// depends on sizes alone is the same for every vector.
+/// Places of pairs and their sizes. Equal spheres need one transposition instead of two, and all
+/// that depends on sizes alone is the same for every vector.
 struct PairPlace {
   Vector<Lanes> apart;
   Lanes radius_i, radius_j;
 
-  /// Above zero where the spheres overlap. One expression for all who ask, so that they agree to the bit.
+  /// Above zero where the spheres overlap. One expression for all who ask, so that they agree to
+  /// the bit.
   Lanes overlap(const Lanes& distance) const { return radius_i + radius_j - distance; }
   Lanes effective_radius() const { return radius_i * radius_j / (radius_i + radius_j); }
 };
@@ -57,9 +58,11 @@ void lubricate(const PairTask& task, Index i, Index j, int used) {
   const Lanes film = max(gap, Lanes(law.nearest));
   const Lanes coefficient =
       select(gap <= Lanes(law.farthest) && gap >= Lanes(law.least()),
-             lubrication_coefficient(law.viscosity, place.effective_radius(), film * distance2), Lanes(0.0));
+             lubrication_coefficient(law.viscosity, place.effective_radius(), film * distance2),
+             Lanes(0.0));
   const Vector<Lanes> velocity = load_pair_motion<equal>(task, i, j).velocity;
-  add_force(task.particles, i, j, (-(coefficient * dot(velocity, place.apart))) * place.apart, used);
+  add_force(task.particles, i, j, (-(coefficient * dot(velocity, place.apart))) * place.apart,
+            used);
 }
 
 /// \return the overlap, below zero where a contact has ended
@@ -80,7 +83,8 @@ Lanes collide(const PairTask& task, std::size_t from, int used) {
   contact.arm_j = place.radius_j - Lanes(0.5) * contact.overlap;
   const ContactMotion<Lanes> motion{moves.velocity, load_spin(p, i), load_spin(p, j)};
   Springs<Lanes> springs = load_springs<terms>(task.contacts, from);
-  const ContactLoads<Lanes> loads = contact_loads<terms>(task.law, contact, motion, task.dt, springs);
+  const ContactLoads<Lanes> loads =
+      contact_loads<terms>(task.law, contact, motion, task.dt, springs);
   store_springs<terms>(task.contacts, from, springs);
   add_force(p, i, j, loads.force, used);
   if constexpr (terms.sliding || terms.rolling || terms.torsion) {
@@ -92,7 +96,8 @@ Lanes collide(const PairTask& task, std::size_t from, int used) {
 
 template <ContactTerms terms, bool equal>
 [[gnu::flatten]] ContactTally collide_pairs(const PairTask& given) {
-  // A copy of its own: nothing that the loops write can change it, so its constants stay in registers.
+  // A copy of its own: nothing that the loops write can change it, so its constants stay in
+  // registers.
   const PairTask task = given;
   const ContactPointers& c = task.contacts;
   begin_contacts(c, [&](Index i, Index j) {

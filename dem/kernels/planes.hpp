@@ -38,7 +38,8 @@ Lanes collide_plane(const PlaneTask& task, std::size_t from, int used) {
   const Vector<Lanes> still{Lanes(0.0), Lanes(0.0), Lanes(0.0)};
   const ContactMotion<Lanes> motion{m.velocity, load_spin(p, i), still};
   Springs<Lanes> springs = load_springs<terms>(task.contacts, from);
-  const ContactLoads<Lanes> loads = contact_loads<terms>(task.law, contact, motion, task.dt, springs);
+  const ContactLoads<Lanes> loads =
+      contact_loads<terms>(task.law, contact, motion, task.dt, springs);
   store_springs<terms>(task.contacts, from, springs);
   add_force(p, i, loads.force, used);
   if constexpr (terms.sliding || terms.rolling || terms.torsion)
@@ -60,7 +61,8 @@ void lubricate_plane(const PlaneTask& task, Index i, Index slot, int used) {
 
 template <ContactTerms terms>
 [[gnu::flatten]] ContactTally collide_planes(const PlaneTask& given) {
-  // A copy of its own: nothing that the loops write can change it, so its constants stay in registers.
+  // A copy of its own: nothing that the loops write can change it, so its constants stay in
+  // registers.
   const PlaneTask task = given;
   const ContactPointers& c = task.contacts;
   begin_contacts(c, [&](Index i, Index slot) { return -OverPlane(task, i, slot).overlap; });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dem/kernels/advance.hpp"
+#include "dem/kernels/flow.hpp"
 #include "dem/kernels/pairs.hpp"
 #include "dem/kernels/planes.hpp"
 
@@ -13,14 +14,22 @@ template <class Loop>
 ContactTally pick(ContactTerms terms, const Loop& loop) {
   const int key = terms.sliding + 2 * terms.rolling + 4 * terms.torsion;
   switch (key) {
-    case 0: return loop.template operator()<ContactTerms{false, false, false}>();
-    case 1: return loop.template operator()<ContactTerms{true, false, false}>();
-    case 2: return loop.template operator()<ContactTerms{false, true, false}>();
-    case 3: return loop.template operator()<ContactTerms{true, true, false}>();
-    case 4: return loop.template operator()<ContactTerms{false, false, true}>();
-    case 5: return loop.template operator()<ContactTerms{true, false, true}>();
-    case 6: return loop.template operator()<ContactTerms{false, true, true}>();
-    default: return loop.template operator()<ContactTerms{true, true, true}>();
+    case 0:
+      return loop.template operator()<ContactTerms{false, false, false}>();
+    case 1:
+      return loop.template operator()<ContactTerms{true, false, false}>();
+    case 2:
+      return loop.template operator()<ContactTerms{false, true, false}>();
+    case 3:
+      return loop.template operator()<ContactTerms{true, true, false}>();
+    case 4:
+      return loop.template operator()<ContactTerms{false, false, true}>();
+    case 5:
+      return loop.template operator()<ContactTerms{true, false, true}>();
+    case 6:
+      return loop.template operator()<ContactTerms{false, true, true}>();
+    default:
+      return loop.template operator()<ContactTerms{true, true, true}>();
   }
 }
 
@@ -35,7 +44,7 @@ ContactTally pick_planes(const PlaneTask& task, ContactTerms terms) {
 }
 
 constexpr Kernels make_kernels(const char* name) {
-  return {name, lanes, pack, unpack, pick_pairs, pick_planes, advance};
+  return {name, lanes, pack, unpack, pick_pairs, pick_planes, sample_nearest, advance};
 }
 
 }  // namespace

@@ -1,0 +1,58 @@
+// Fluid velocity and drag coefficient at every particle, by the nearest point of the grid.
+#pragma once
+
+#include "dem/kernels/lanes.hpp"
+
+namespace clog {
+namespace {
+
+/// Whole numbers of each lane, truncated.
+struct Whole {
+  int at[lanes];
+
+  explicit Whole(const Lanes& values) {
+    double numbers[lanes];
+    store_lanes(numbers, values);
+    for (int k = 0; k < lanes; ++k) at[k] = static_cast<int>(numbers[k]);
+  }
+};
+
+[[gnu::always_inline]] inline void sample_some(const FlowTask& task, std::size_t i, int used) {
+  const ParticlePointers& p = task.particles;
+  const double* place[3] = {p.x + i, p.y + i, p.z + i};
+  const Lanes x = load_part(place[0], used);
+  const Whole strip(
+      place_within((x - Lanes(task.strip_start)) * Lanes(task.strips_per_length), task.last_strip));
+  // The number of the point is below 2^53, so doubles hold it exactly.
+  Lanes index(0.0);
+  for (int a = 2; a >= 0; --a) {
+    const Lanes along =
+        (load_part(place[a], used) - Lanes(task.origin[a])) * Lanes(task.points_per_length);
+    const Whole point(nearest_point(along, task.points[a] - 1.0));
+    index = index * Lanes(static_cast<double>(task.points[a])) +
+            Lanes([&](auto k) { return point.at[k]; });
+  }
+  std::ptrdiff_t at[lanes];
+  double numbers[lanes];
+  store_lanes(numbers, index);
+  for (int k = 0; k < lanes; ++k) at[k] = 3 * static_cast<std::ptrdiff_t>(numbers[k]);
+  const Lanes speed_up = load(task.speed_up, strip.at);
+  const auto component = [&](int c) {
+    return speed_up * Lanes([&](auto k) { return static_cast<double>(task.velocity[at[k] + c]); });
+  };
+  store_part(task.ux + i, component(0), used);
+  store_part(task.uy + i, component(1), used);
+  store_part(task.uz + i, component(2), used);
+  store_part(task.drag + i, load(task.drag_per_radius, strip.at) * load_part(p.radius + i, used),
+             used);
+}
+
+[[gnu::flatten]] void sample_nearest(const FlowTask& given) {
+  const FlowTask task = given;
+  std::size_t i = 0;
+  for (; i + lanes <= task.particles.count; i += lanes) sample_some(task, i, lanes);
+  if (i < task.particles.count) sample_some(task, i, lanes_left(i, task.particles.count));
+}
+
+}  // namespace
+}  // namespace clog
