@@ -15,8 +15,8 @@ public:
   /// \param size  edge of a cell, at least the largest distance to be searched [m]
   Cells(const Particles& particles, double size);
 
-  /// Particle indices, cell by cell; inside a cell in order of id, so that the result does not
-  /// depend on the order in which the particles were stored.
+  /// Particle indices, cell by cell; inside a cell in order of id, so that the result does not depend
+  /// on the order in which the particles were stored.
   const std::vector<int>& order() const { return order_; }
 
   /// Once the particles stand in `order`: calls visit(i, j), i < j, for all that share a cell or

@@ -7,8 +7,8 @@
 
 namespace clog {
 
-/// Two files, so that a torn or damaged newest one costs one interval and not the run. Each carries
-/// a version, what it belongs to, and a checksum.
+/// Two files, so that a torn or damaged newest one costs one interval and not the run. Each carries a
+/// version, what it belongs to, and a checksum.
 class Checkpoint {
 public:
   /// \param run_file  run_0007.h5; the states are run_0007.state and run_0007.state.old
@@ -18,8 +18,9 @@ public:
   /// Puts the state in place of the newest, which becomes the older one. \throws Error
   void save(const std::string& state);
 
-  /// Offers `take` the newest state that is whole, then the older one, until it does not throw.
-  /// `say` is told of each file passed over and why. \return whether one was taken
+  /// Offers `take` the newest state that is whole, then the older one, until it does not throw. `say` is
+  /// told of each file passed over and why.
+  /// \return whether one was taken
   bool load(const std::function<void(const std::string&)>& take,
             const std::function<void(const std::string&)>& say);
 

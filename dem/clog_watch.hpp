@@ -16,10 +16,10 @@ struct ClogState {
 /// Looks at the particles within three neck widths upstream of the neck; at all, if none is there.
 ClogState clog_state(const Particles& particles, const Scene& scene);
 
-/// The release protocol of silo experiments: when nothing has passed for `unclog.after` and the
-/// clog is at rest, friction is switched off for `unclog.duration`. A single rattler does not count
-/// as motion, which is why a quantile decides. A clog that never comes to rest is never released:
-/// it is left to the statistics as a censored arrest.
+/// The release protocol of silo experiments: when nothing has passed for `unclog.after` and the clog
+/// is at rest, friction is switched off for `unclog.duration`. A single rattler does not count as
+/// motion, which is why a quantile decides. A clog that never comes to rest is never released: it is
+/// left to the statistics as a censored arrest.
 class ClogWatch {
 public:
   explicit ClogWatch(const Scene& scene);

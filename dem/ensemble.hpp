@@ -8,8 +8,8 @@
 
 #include "coupling/flow_grid.hpp"
 #include "coupling/scene.hpp"
-#include "dem/initial_particles.hpp"
 #include "dem/ranks.hpp"
+#include "dem/initial_particles.hpp"
 #include "dem/simulation.hpp"
 
 namespace clog {
@@ -34,10 +34,10 @@ struct EnsembleResult {
   int stopped = 0;  ///< seeds that were asked to stop; their states are saved
 };
 
-/// Runs the seeds that have no run file yet, each from its saved state if there is one. A seed that
-/// fails is reported and does not stop the rest. States are saved every output.checkpoint_interval.
+/// Runs the seeds that have no run file yet, each from its saved state if there is one. A seed that fails
+/// is reported and does not stop the rest. States are saved every output.checkpoint_interval.
 /// \return the sums over all ranks
 EnsembleResult run_ensemble(const Ensemble& ensemble, Ranks& ranks, const Watcher& watcher,
-                            const std::function<void(const SeedReport&)>& report);
+                 const std::function<void(const SeedReport&)>& report);
 
 }  // namespace clog

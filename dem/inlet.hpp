@@ -1,5 +1,4 @@
-// Seeded insertion at the left end of the channel, and the random packing a filled start begins
-// with.
+// Seeded insertion at the left end of the channel, and the random packing a filled start begins with.
 #pragma once
 
 #include <cstdint>

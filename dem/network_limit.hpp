@@ -12,15 +12,14 @@
 
 namespace clog {
 
-/// The linearised leapfrog is stable if and only if 4 M - dt^2 K - 2 dt C is positive definite,
-/// with K and C the sums g k g^T and g c g^T over all springs and dashpots. Young's inequality
+/// The linearised leapfrog is stable if and only if 4 M - dt^2 K - 2 dt C is positive definite, with K and C
+/// the sums g k g^T and g c g^T over all springs and dashpots. Young's inequality
 ///   (g_i.x_i + g_j.x_j)^2 <= (1 + m_i/m_j) (g_i.x_i)^2 + (1 + m_j/m_i) (g_j.x_j)^2
-/// splits each pair among its two particles, so one 6 x 6 matrix per particle (translation and
-/// rotation coupled through the lever arms) decides: safe, exact for two particles and for one on a
-/// wall, and at most sqrt(2) too careful in a pack of equal spheres (2 where damping alone limits).
+/// splits each pair among its two particles, so one 6 x 6 matrix per particle (translation and rotation
+/// coupled through the lever arms) decides: safe, exact for two particles and for one on a wall, and at
+/// most sqrt(2) too careful in a pack of equal spheres (2 where damping alone limits).
 /// Implicit drag adds +2 dt c to the translations in place of -2 dt c.
-/// \source positive definiteness at the root l = -1 of stable_step(); block form of Gershgorin's
-/// theorem
+/// \source positive definiteness at the root l = -1 of stable_step(); block form of Gershgorin's theorem
 class NetworkLimit {
 public:
   explicit NetworkLimit(const Particles& particles);

@@ -21,13 +21,13 @@ struct PlannedTerm {
 
 struct Plan {
   std::vector<PlannedTerm> terms;
-  double dt = 0;  ///< [s]
+  double dt = 0;                          ///< [s]
   StepLimits limits;
-  double way_limit = 0;  ///< step in which the flow at the neck moves 0.01 d [s]
+  double way_limit = 0;                   ///< step in which the flow at the neck moves 0.01 d [s]
   double steps = 0, filling_steps = 0;
   double particles = 0;
-  double memory = 0;   ///< of one run, without its flow [bytes]
-  double seconds = 0;  ///< of one seed on one core, at the nominal rate [s]
+  double memory = 0;                      ///< of one run, without its flow [bytes]
+  double seconds = 0;                     ///< of one seed on one core, at the nominal rate [s]
 };
 
 /// Particle-steps per second and core that the estimate assumes; a run prints its own.

@@ -22,6 +22,11 @@ PorosityStrips::PorosityStrips(double start, double end, std::vector<double> vol
       volume_(std::move(volumes)),
       porosity_(volume_.size(), 1.0) {}
 
+int PorosityStrips::strip_at(double x) const {
+  const int last = static_cast<int>(volume_.size()) - 1;
+  return std::clamp(static_cast<int>(std::floor((x - start_) / length_)), 0, last);
+}
+
 void PorosityStrips::update(const Particles& p) {
   std::vector<double> solid(volume_.size(), 0.0);
   const double end = start_ + length_ * static_cast<double>(volume_.size());

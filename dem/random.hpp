@@ -18,8 +18,7 @@ public:
     engine_.seed(mixed);
   }
 
-  /// Uniform in [low, high). Not std::uniform_real_distribution: its result differs between
-  /// libraries.
+  /// Uniform in [low, high). Not std::uniform_real_distribution: its result differs between libraries.
   double uniform(double low, double high) {
     return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;
   }

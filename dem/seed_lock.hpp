@@ -5,9 +5,9 @@
 
 namespace clog {
 
-/// Holds "run_0007.lock" beside the run file for as long as it lives. The lock is the kernel's
-/// (flock), so it ends with its process however that ends, and a file left behind locks nothing. On
-/// file systems without locks nothing is held.
+/// Holds "run_0007.lock" beside the run file for as long as it lives. The lock is the kernel's (flock), so
+/// it ends with its process however that ends, and a file left behind locks nothing. On file systems
+/// without locks nothing is held.
 class SeedLock {
 public:
   /// \throws Error if another process holds it, or if the file cannot be made

@@ -8,21 +8,21 @@
 
 namespace clog {
 
-/// Largest stable steps, each on its own [s]; infinite where nothing limits. The two times are no
-/// limits but what the literature measures steps by.
+/// Largest stable steps, each on its own [s]; infinite where nothing limits. The two times are no limits but
+/// what the literature measures steps by.
 struct StepLimits {
-  double contact_time = 0;  ///< tau_Hertz; 0: nothing moves
+  double contact_time = 0;   ///< tau_Hertz; 0: nothing moves
   double rayleigh_time = 0;
-  double drag = 0;         ///< 2 m / c at the pack's porosity; infinite when implicit
-  double lubrication = 0;  ///< 2 m* / c of two particles 2 xi apart
-  double contacts = 0;     ///< of a sphere in a pack at the expected load, all springs and dashpots
+  double drag = 0;           ///< 2 m / c at the pack's porosity; infinite when implicit
+  double lubrication = 0;    ///< 2 m* / c of two particles 2 xi apart
+  double contacts = 0;       ///< of a sphere in a pack at the expected load, all springs and dashpots
   double expected_overlap = 0;  ///< that `contacts` assumes, over the diameter [-]
 
   double smallest() const;
 };
 
-/// Limits that follow from the scene alone. The load is the larger of a collision at 0.1 v (or of
-/// the fastest initial particle) and the drag and body force of an arch.
+/// Limits that follow from the scene alone. The load is the larger of a collision at 0.1 v (or of the fastest
+/// initial particle) and the drag and body force of an arch.
 StepLimits expected_limits(const Model& model, const std::vector<Particle>& initial);
 
 /// "dt = 7e-8 s: dt/tau_Hertz 0.02, ... dt/contacts 0.3"
@@ -31,8 +31,8 @@ std::string describe(const StepLimits& limits, double dt);
 /// Above this share of a limit a run warns.
 inline constexpr double near_limit = 0.8;
 
-/// Overlap over the diameter beyond which a run is refused or stopped: Hertz's law is off by some
-/// 10 % at a tenth and means nothing at a quarter. Softened scenes of the paper reach 0.17.
+/// Overlap over the diameter beyond which a run is refused or stopped: Hertz's law is off by some 10 % at a
+/// tenth and means nothing at a quarter. Softened scenes of the paper reach 0.17.
 inline constexpr double deepest_overlap = 0.25;
 
 /// \throws Error if the step is above a limit, naming it and what to do

@@ -15,9 +15,9 @@ struct StepWatch {
   double stored = -1;   ///< kinetic and elastic energy at the last look; -1: none yet [J]
   double supplied = 0;  ///< work done until then [J]
 
-  /// Energy that nothing supplied since the last look, if it is enough to be a blow-up: more than
-  /// half of what is stored, which more than doubled. Rounding and the springs' change of stiffness
-  /// with the overlap leave errors far below the 5 % of the work that are granted.
+  /// Energy that nothing supplied since the last look, if it is enough to be a blow-up: more than half of
+  /// what is stored, which more than doubled. Rounding and the springs' change of stiffness with the
+  /// overlap leave errors far below the 5 % of the work that are granted.
   bool appeared(double stored_now, double supplied_now) {
     const double work = supplied_now - supplied, before = stored;
     stored = stored_now;

@@ -17,8 +17,8 @@ struct WallPoint {
 
 /// A maximal flat piece: triangles in one plane joined by common edges.
 struct WallPatch {
-  Vec3 normal;    ///< into the fluid [-]
-  double offset;  ///< normal . x on the plane [m]
+  Vec3 normal;                ///< into the fluid [-]
+  double offset;              ///< normal . x on the plane [m]
   std::vector<int> triangles;
   std::vector<std::array<Vec3, 2>> border;  ///< edges that do not lie inside the patch
 };
@@ -51,8 +51,8 @@ private:
   void find_patches();
 
   std::vector<Triangle> triangles_;
-  std::vector<std::array<int, 3>> corner_;  // welded corner numbers of each triangle
-  std::vector<std::vector<int>> around_;    // triangles at each welded corner
+  std::vector<std::array<int, 3>> corner_;     // welded corner numbers of each triangle
+  std::vector<std::vector<int>> around_;       // triangles at each welded corner
   std::vector<int> patch_;
   std::vector<WallPatch> patches_;
 };
