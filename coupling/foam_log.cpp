@@ -75,4 +75,13 @@ nlohmann::json read_foam_logs(const fs::path& folder) {
   return found;
 }
 
+double read_pressure_drop(const fs::path& folder) {
+  const fs::path file = folder / "pressure";
+  std::istringstream in(read_text_file(file));
+  double drop = 0;
+  require(static_cast<bool>(in >> drop) && drop > 0,
+          "{} holds no positive number; run the case's Allrun again", file.string());
+  return drop;
+}
+
 }  // namespace clog

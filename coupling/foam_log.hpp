@@ -15,4 +15,8 @@ namespace clog {
 /// hold what it should
 nlohmann::json read_foam_logs(const std::filesystem::path& folder);
 
+/// From the inlet to the outlet of the mesh, over the density [m2/s2]: the file `pressure`.
+/// \throws Error when it is missing or holds no number
+double read_pressure_drop(const std::filesystem::path& folder);
+
 }  // namespace clog

@@ -8,6 +8,7 @@
 #include "coupling/channel_shape.hpp"
 #include "coupling/content_hash.hpp"
 #include "coupling/duct_flow.hpp"
+#include "coupling/flow_error.hpp"
 #include "coupling/flow_mesh.hpp"
 #include "coupling/foam_log.hpp"
 #include "coupling/require.hpp"
@@ -140,9 +141,9 @@ std::string solved_hash(const fs::path& folder, const Scene& scene) {
           "the case again",
           (folder / "scene.toml").string(), hash);
   require(fs::exists(folder / "solved"), "{} is not solved; run {}", folder.string(), run);
-  require(first_line(folder / "solved") == hash,
-          "{} holds the flow of other inputs ({}, not {}); run {}", folder.string(),
-          first_line(folder / "solved"), hash, run);
+  require(read_text_file(folder / "solved") == read_text_file(folder / "hash"),
+          "{} holds the flow of other inputs ({}, not {}) or of another template; run {}",
+          folder.string(), first_line(folder / "solved"), hash, run);
   return hash;
 }
 
@@ -171,12 +172,15 @@ FlowGrid map_flow(const fs::path& folder) {
   const std::string hash = solved_hash(folder, scene);
   const FlowLattice lattice = flow_lattice(scene, flow_mesh(scene).inlet);
 
-  FlowGrid grid =
-      grid_from_samples(scene, lattice, read_foam_samples(foam_samples_file(folder), lattice));
+  const FoamSamples samples = read_foam_samples(foam_samples_file(folder), lattice);
+  FlowGrid grid = grid_from_samples(scene, lattice, samples);
   grid.walls = channel_walls(scene);
   grid.scene_text = scene_text;
   grid.hash = hash;
   grid.provenance = read_foam_logs(folder);
+  grid.provenance["pressure_drop"] = scene.fluid.density * read_pressure_drop(folder);
+  const nlohmann::json error = mesh_error(folder, scene, samples);
+  if (!error.is_null()) grid.provenance["mesh_error"] = error;
   grid.provenance["grid_flux"] = grid_fluxes(grid, scene, lattice);
   grid.provenance["date"] = utc_now();
   for (const auto& plane : grid.provenance["grid_flux"]) {

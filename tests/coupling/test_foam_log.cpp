@@ -2,9 +2,9 @@
 
 #include <gmock/gmock.h>
 
-#include "coupling/content_hash.hpp"
 #include "coupling/foam_case_writer.hpp"
 #include "coupling/map_flow.hpp"
+#include "coupling/text_file.hpp"
 #include "tests/coupling/flow_scene.hpp"
 #include "tests/coupling/refusal.hpp"
 
@@ -58,6 +58,15 @@ TEST(FoamLog, RefusesLogsThatAreCutShort) {
   EXPECT_THAT(read(), HasSubstr("one positive flux a surface"));
 }
 
+TEST(FoamLog, ReadsThePressureDrop) {
+  const ScratchFolder scratch;
+  write_file(scratch.path() / "pressure", "0.0167\n");
+  EXPECT_DOUBLE_EQ(read_pressure_drop(scratch.path()), 0.0167);
+  write_file(scratch.path() / "pressure", "\n");
+  EXPECT_THAT(refusal([&] { read_pressure_drop(scratch.path()); }),
+              HasSubstr("pressure holds no positive number; run the case's Allrun again"));
+}
+
 TEST(MapFlow, RefusesCasesThatAreNotSolvedOrOfOtherInputs) {
   const ScratchFolder scratch;
   const auto folder = scratch.path() / "case";
@@ -67,7 +76,7 @@ TEST(MapFlow, RefusesCasesThatAreNotSolvedOrOfOtherInputs) {
   EXPECT_THAT(map(), HasSubstr("is not solved; run " + (folder / "Allrun").string()));
   write_file(folder / "solved", "0123456789abcdef\n");
   EXPECT_THAT(map(), HasSubstr("holds the flow of other inputs (0123456789abcdef"));
-  write_file(folder / "solved", content_hash(flow_inputs(flow_scene())) + "\n");
+  write_file(folder / "solved", read_text_file(folder / "hash"));
   EXPECT_THAT(map(), HasSubstr("quarter_U.xy is missing"));
   write_file(folder / "scene.toml", effective_scene(flow_scene({"flow.mean_velocity=1 mm/s"})));
   EXPECT_THAT(map(), HasSubstr("does not describe the flow"));
