@@ -73,7 +73,7 @@ nlohmann::json mesh_error(const fs::path& folder, const Scene& scene, const Foam
           "{} is not the coarser case of {}; write the case again with --check", coarse.string(),
           folder.string());
   require(fs::exists(coarse / "solved"), "{} is not solved; run {}", coarse.string(), run);
-  const FlowLattice lattice = flow_lattice(scene, flow_mesh(scene).inlet);
+  const FlowLattice lattice = flow_lattice(scene, flow_mesh(scene));
   const auto& g = scene.geometry;
   const double neck_mean = scene.flow.mean_velocity * g.channel_width / g.neck_width;
   const VelocityError velocity =

@@ -8,6 +8,7 @@
 #include "coupling/content_hash.hpp"
 #include "coupling/flow_error.hpp"
 #include "coupling/foam_dictionaries.hpp"
+#include "coupling/foam_mesh.hpp"
 #include "coupling/require.hpp"
 #include "coupling/text_file.hpp"
 
@@ -67,9 +68,13 @@ FoamCaseState write_files(const Scene& scene, const fs::path& folder,
   require(fs::exists(template_folder / "Allrun"),
           "no OpenFOAM template in {} (an incomplete source tree?)", template_folder.string());
   const FlowMesh mesh = flow_mesh(scene);
-  const FlowLattice lattice = flow_lattice(scene, mesh.inlet);
+  const FlowLattice lattice = flow_lattice(scene, mesh);
   const std::map<std::string, std::string> generated{
-      {"system/sceneDict", scene_dictionary(scene, mesh, lattice)},
+      {"system/sceneDict", scene_dictionary(scene, lattice)},
+      {"system/blockMeshDict", block_mesh_dictionary(mesh, scene.geometry.neck_height / 2)},
+      {"system/topoSetDict", surfaces_dictionary(mesh)},
+      {"system/fluxDict", flux_dictionary(mesh)},
+      {"surfaces", surface_names(mesh)},
       {"constant/inletProfile", inlet_profile(scene, mesh)}};
   const std::string hash = content_hash(flow_inputs(scene)) + "\n" +
                            content_hash(everything(template_folder, generated)) + "\n";

@@ -53,6 +53,13 @@ std::vector<Key> make_keys() {
       NUMBER(geometry.channel_length, length, positive, "straight part upstream of the narrowing; default 10 neck_width"),
       NUMBER(geometry.neck_length, length, positive, "straight part of the neck; default neck_width"),
       ANGLE(geometry.half_angle, "of the narrowing, from the flow axis; 90 deg is a step"),
+      ANGLE(geometry.half_angle_below, "of the wall at y < 0, where the narrowing is asymmetric; default half_angle"),
+      NUMBER(geometry.neck_rounding, length, positive, "radius of the rounded entrance of the neck; default: a sharp edge"),
+      NUMBER(geometry.step_width, length, positive, "y extent of a straight part between two narrowings; default: one narrowing"),
+      NUMBER(geometry.step_length, length, positive, "length of that part"),
+      NUMBER(geometry.expansion_width, length, positive, "y extent of the channel that follows the neck; default: the neck is the end"),
+      NUMBER(geometry.expansion_length, length, positive, "its straight part; default expansion_width"),
+      ANGLE(geometry.expansion_angle, "of its walls, from the flow axis; default half_angle"),
       TEXT(geometry.stl, "walls from this STL file (in metres) instead of the shape above"),
 
       VECTOR(box.min, length, "lower corner of plain walls around a laboratory scene"),

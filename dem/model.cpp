@@ -102,9 +102,9 @@ void build_walls(Model& model, const FlowGrid* flow) {
     model.walls.insert(model.walls.end(), channel.begin(), channel.end());
     const Walls end = cross_wall(channel_start(s), s.geometry.channel_width, s.geometry.neck_height, 1);
     model.walls.insert(model.walls.end(), end.begin(), end.end());
-    model.gate = cross_wall(0, s.geometry.neck_width, s.geometry.neck_height, -1);
+    model.gate = cross_wall(neck_start(s), s.geometry.neck_width, s.geometry.neck_height, -1);
     enclose(model.domain, model.walls);
-    model.domain.outlet = s.geometry.neck_length;
+    model.domain.outlet = channel_end(s);
     model.domain.passage = s.passages.plane;
   } else {
     const Walls stl = read_stl(s.geometry.stl);

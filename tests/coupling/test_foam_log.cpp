@@ -37,7 +37,7 @@ void write_logs(const std::filesystem::path& folder) {
 TEST(FoamLog, TellsHowTheFlowWasSolved) {
   const ScratchFolder scratch;
   write_logs(scratch.path());
-  const auto found = read_foam_logs(scratch.path());
+  const auto found = read_foam_logs(scratch.path(), 4);
   EXPECT_EQ(found["openfoam_version"], "v2312");
   EXPECT_EQ(found["iterations"], 164);
   EXPECT_EQ(found["cells"], 46560);
@@ -48,7 +48,7 @@ TEST(FoamLog, TellsHowTheFlowWasSolved) {
 
 TEST(FoamLog, RefusesLogsThatAreCutShort) {
   const ScratchFolder scratch;
-  const auto read = [&] { return refusal([&] { read_foam_logs(scratch.path()); }); };
+  const auto read = [&] { return refusal([&] { read_foam_logs(scratch.path(), 4); }); };
   EXPECT_THAT(read(), HasSubstr("log.simpleFoam is missing"));
   write_logs(scratch.path());
   write_file(scratch.path() / "log.simpleFoam", "Time = 3\n");
@@ -77,7 +77,7 @@ TEST(MapFlow, RefusesCasesThatAreNotSolvedOrOfOtherInputs) {
   write_file(folder / "solved", "0123456789abcdef\n");
   EXPECT_THAT(map(), HasSubstr("holds the flow of other inputs (0123456789abcdef"));
   write_file(folder / "solved", read_text_file(folder / "hash"));
-  EXPECT_THAT(map(), HasSubstr("quarter_U.xy is missing"));
+  EXPECT_THAT(map(), HasSubstr("lattice_U.xy is missing"));
   write_file(folder / "scene.toml", effective_scene(flow_scene({"flow.mean_velocity=1 mm/s"})));
   EXPECT_THAT(map(), HasSubstr("does not describe the flow"));
 }

@@ -35,7 +35,8 @@ TEST_P(FlowError, IsHonest) {
   const ScratchFolder scratch;
   const fs::path folder = scratch.path() / "case", finer = scratch.path() / "finer";
   const std::string angle = std::string("geometry.half_angle=") + GetParam();
-  const Scene scene = flow_scene({angle});
+  const char* cells = "flow.mesh_cells_per_neck=16";
+  const Scene scene = flow_scene({angle, cells});
   write_foam_case(scene, folder, foam_template(), FoamCaseCheck::with_coarser_mesh);
   EXPECT_THAT(refusal([&] { mesh_error(folder, scene, {}); }), HasSubstr("coarse is not solved"));
   write_foam_case(flow_scene({angle, "flow.mesh_cells_per_neck=32"}), finer, foam_template());
@@ -44,7 +45,7 @@ TEST_P(FlowError, IsHonest) {
   ASSERT_EQ(finer_run.status, 0) << finer_run.output;
 
   const FlowGrid grid = map_flow(folder);
-  const FlowLattice lattice = flow_lattice(scene, flow_mesh(scene).inlet);
+  const FlowLattice lattice = flow_lattice(scene, flow_mesh(scene));
   const auto read = [&](const fs::path& from) {
     return read_foam_samples(foam_samples_file(from), lattice);
   };
@@ -59,7 +60,7 @@ TEST_P(FlowError, IsHonest) {
   EXPECT_LT(told["pressure_drop"], 5 * pressure + 1e-3);
   EXPECT_GT(told["velocity_largest"], told["velocity_99_percent"]);
 
-  const Scene other = flow_scene({angle, "fluid.viscosity=1 mPa s"});
+  const Scene other = flow_scene({angle, cells, "fluid.viscosity=1 mPa s"});
   EXPECT_THAT(refusal([&] { mesh_error(folder, other, read(folder)); }),
               HasSubstr("is not the coarser case of"));
 }
