@@ -30,8 +30,10 @@ TEST(FlowRescale, ScalesAndTellsTheError) {
   EXPECT_DOUBLE_EQ(flow.factor, 500);
   EXPECT_FLOAT_EQ(flow.grid.velocity[0], 1);
   EXPECT_FLOAT_EQ(flow.grid.velocity[1], -0.5);
-  // Measured: creeping flow and Navier-Stokes at 5 mm/s differ by 3.3 % of the neck's mean.
-  EXPECT_NEAR(flow.error, 0.033, 1e-4);
+  // The reference solutions of the 60 degree shape, Stokes and Navier-Stokes at 5 mm/s, differ by 3.3 %
+  // of the neck's mean: the stated error must cover that, and not by much.
+  EXPECT_GT(flow.error, 0.033);
+  EXPECT_LT(flow.error, 0.036);
   check_flow_belongs(scene, flow.grid);
   EXPECT_DOUBLE_EQ(rescaled_flow(solved({}), scene).error, 0);
 }
