@@ -16,7 +16,7 @@ enum class BelowRoughness { off, clamp };
 enum class DragVelocity { interstitial, superficial };
 enum class InletStart { filled, empty };
 enum class UnclogProtocol { none, release };
-enum class Integrator { verlet, implicit_drag };
+enum class Integrator { verlet, implicit_drag, implicit_fluid };
 
 struct Friction {
   double sliding = 0;  ///< [-]
@@ -133,6 +133,7 @@ struct Scene {
     double mass_scale = 1;         ///< [-]
     double rotational_inertia_scale = 1;  ///< [-]
     Integrator integrator = Integrator::verlet;
+    bool allow_unstable = false;   ///< warn of a step above its limit instead of refusing it
   } time;
 
   struct {

@@ -126,7 +126,8 @@ std::vector<Key> make_keys() {
       NUMBER(time.step_fraction, number, fraction, "of the Hertz contact time; default 0.02"),
       NUMBER(time.mass_scale, number, positive, "numerical mass over true mass; default 1"),
       NUMBER(time.rotational_inertia_scale, number, positive, "numerical moment of inertia over true one; default 1"),
-      WORD(time.integrator, "drag explicit, or implicit so that it never limits the step", "verlet", "implicit_drag"),
+      WORD(time.integrator, "drag explicit, or implicit so that it never limits the step, or drag and lubrication both", "verlet", "implicit_drag", "implicit_fluid"),
+      SWITCH(time.allow_unstable, "run with a step above its limit, for studies of what that does; default false"),
 
       NUMBER(passages.plane, length, any, "x that a particle must cross; default the middle of the neck"),
 

@@ -118,11 +118,11 @@ void build_walls(Model& model, const FlowGrid* flow) {
 /// v in v_c = 0.1 v, or the fastest initial particle as v_c where nothing flows.
 double collision_speed(const Scene& scene, const std::vector<Particle>& initial) {
   const auto& u = scene.flow.velocity;
-  const double uniform = std::hypot(u[0], u[1], u[2]);
+  const double uniform = Vec3(u.data()).norm();
   if (scene.flow.mean_velocity > 0) return collision_speed_share * scene.flow.mean_velocity;
   if (uniform > 0) return collision_speed_share * uniform;
   double fastest = 0;
-  for (const Particle& p : initial) fastest = std::max(fastest, std::hypot(p.vx, p.vy, p.vz));
+  for (const Particle& p : initial) fastest = std::max(fastest, Vec3(p.vx, p.vy, p.vz).norm());
   return fastest;
 }
 
