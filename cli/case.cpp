@@ -14,12 +14,14 @@ namespace {
 struct CaseOptions {
   std::filesystem::path scene, folder;
   Overrides overrides;
+  bool check = false;
 };
 
 void write_case(const CaseOptions& options) {
   const Scene scene = read_scene(options.scene, options.overrides);
   const auto state =
-      write_foam_case(scene, options.folder, std::filesystem::path(CLOG_SOURCE_DIR) / "foam_case");
+      write_foam_case(scene, options.folder, std::filesystem::path(CLOG_SOURCE_DIR) / "foam_case",
+                      options.check ? FoamCaseCheck::with_coarser_mesh : FoamCaseCheck::without);
   const std::string hash = content_hash(flow_inputs(scene));
   if (state == FoamCaseState::solved) {
     fmt::print("flow {} is already solved in {}\n", hash, options.folder.string());
@@ -37,6 +39,8 @@ void add_case(CLI::App& app) {
   verb->add_option("folder", options->folder, "of the case; made if absent")->required();
   verb->add_option("--set", options->overrides, "key=value: overrides the scene")
       ->allow_extra_args(false);
+  verb->add_flag("--check", options->check,
+                 "solve on a coarser mesh too; clog map then estimates the error");
   verb->callback([options] { write_case(*options); });
 }
 

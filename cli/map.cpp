@@ -26,6 +26,16 @@ void write_map(const MapOptions& options) {
   fmt::print("{}: flow {}, {} x {} x {} points of {:.4g} um, flux of the grid within {:.2g} %\n",
              options.out.string(), grid.hash, grid.points[0], grid.points[1], grid.points[2],
              1e6 * grid.spacing, 100 * worst);
+  if (!grid.provenance.contains("mesh_error")) return;
+  const auto percent = [&](const char* key) {
+    return 100 * grid.provenance["mesh_error"][key].get<double>();
+  };
+  fmt::print(
+      "error of the mesh, estimated from a coarser one, in % of the neck's mean velocity: "
+      "rms {:.2g}, {:.2g} at 99 of 100 points, at most {:.2g} beside the edge; pressure drop "
+      "{:.4g} Pa within {:.2g} %\n",
+      percent("velocity_rms"), percent("velocity_99_percent"), percent("velocity_largest"),
+      grid.provenance["pressure_drop"].get<double>(), percent("pressure_drop"));
 }
 
 }  // namespace

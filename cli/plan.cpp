@@ -18,8 +18,11 @@ struct PlanOptions {
 };
 
 void print_limit(const char* what, double limit, double dt) {
-  if (limit > 0 && std::isfinite(limit))
+  if (limit == 0) return;
+  if (std::isfinite(limit))
     fmt::print("  {:<34} {:>10.3g} s   dt / limit {:.3g}\n", what, limit, dt / limit);
+  else
+    fmt::print("  {:<34} {:>10}\n", what, "none");
 }
 
 void print_plan(const PlanOptions& options) {

@@ -12,6 +12,7 @@
 
 #include "cli/progress.hpp"
 #include "cli/verbs.hpp"
+#include "coupling/flow_rescale.hpp"
 #include "coupling/require.hpp"
 #include "dem/ensemble.hpp"
 
@@ -31,10 +32,11 @@ struct RunOptions {
 struct Prepared {
   Scene scene;
   std::optional<FlowGrid> flow;
+  std::string note;
 };
 
 Prepared prepare(const RunOptions& options) {
-  Prepared prepared{read_scene(options.scene, options.overrides), {}};
+  Prepared prepared{read_scene(options.scene, options.overrides), {}, {}};
   if (!options.seeds.empty()) prepared.scene.ensemble.seeds = parse_seeds(options.seeds);
   if (prepared.scene.flow.source == FlowSource::openfoam) {
     require(!options.flow.empty(),
@@ -42,6 +44,13 @@ Prepared prepare(const RunOptions& options) {
             "Allrun and clog map make it)",
             options.scene.string());
     prepared.flow = read_flow_grid(options.flow);
+    if (prepared.scene.flow.rescale) {
+      RescaledFlow rescaled = rescaled_flow(std::move(*prepared.flow), prepared.scene);
+      prepared.note = fmt::format("the flow is scaled by {:.6g}; that leaves out {:.2g} % of the "
+                                  "neck's mean velocity at most",
+                                  rescaled.factor, 100 * rescaled.error);
+      prepared.flow = std::move(rescaled.grid);
+    }
   }
   // What is wrong with the scene is wrong for every seed: say it once, before any run begins.
   make_model(prepared.scene, prepared.flow ? &*prepared.flow : nullptr,
@@ -66,6 +75,7 @@ Prepared prepare_together(const RunOptions& options, Ranks& ranks) {
 void run(const RunOptions& options) {
   Ranks ranks;
   const Prepared prepared = prepare_together(options, ranks);
+  if (ranks.rank() == 0 && !prepared.note.empty()) fmt::print("{}\n", prepared.note);
   std::signal(SIGTERM, [](int) { stop_asked = true; });
   std::signal(SIGINT, [](int) { stop_asked = true; });
   const Ensemble ensemble{prepared.scene, prepared.flow ? &*prepared.flow : nullptr, options.out,

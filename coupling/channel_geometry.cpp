@@ -1,52 +1,67 @@
 #include "coupling/channel_geometry.hpp"
 
-#include "coupling/channel_shape.hpp"
+#include <cmath>
+#include <numbers>
+
+#include "coupling/polygon.hpp"
 #include "coupling/require.hpp"
 
 namespace clog {
 namespace {
 
-// Corners counter-clockwise seen from the fluid.
-void add_quad(Walls& walls, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  walls.push_back({{a, b, c}});
-  walls.push_back({{a, c, d}});
+// An arc becomes flat pieces that turn by at most this: they are off by 0.001 radii. [rad]
+constexpr double facet_turn = 5 * std::numbers::pi / 180;
+
+// Corners of one side from inlet to outlet.
+std::vector<Vec2> facets(const ChannelSide& side) {
+  std::vector<Vec2> points{side.pieces.front().from};
+  for (const WallPiece& piece : side.pieces) {
+    const int count = piece.is_arc()
+                          ? static_cast<int>(std::ceil(piece.length() / piece.radius / facet_turn))
+                          : 1;
+    const Vec2 a = piece.from - piece.centre;
+    for (int i = 1; i < count; ++i) {
+      const double angle = i * piece.length() / piece.radius / count;
+      points.push_back(piece.centre + Eigen::Rotation2Dd(angle) * a);
+    }
+    points.push_back(piece.to);
+  }
+  return points;
 }
 
-// A piece of floor whose corners (x, y) run counter-clockwise seen from above, and the lid over it.
-void add_floor_and_lid(Walls& walls, const std::array<std::array<double, 2>, 4>& p, double height) {
-  const auto at = [&](int i, double z) { return Vec3(p[i][0], p[i][1], z); };
-  add_quad(walls, at(0, 0), at(1, 0), at(2, 0), at(3, 0));
-  add_quad(walls, at(3, height), at(2, height), at(1, height), at(0, height));
+// The wall that stands on the edge a-b of the floor, which has the fluid on its left.
+void add_upright(Walls& walls, const Vec2& a, const Vec2& b, double height) {
+  const Vec3 low_a(a.x(), a.y(), 0), low_b(b.x(), b.y(), 0);
+  const Vec3 high_a(a.x(), a.y(), height), high_b(b.x(), b.y(), height);
+  walls.push_back({{low_b, low_a, high_a}});
+  walls.push_back({{low_b, high_a, high_b}});
 }
 
 }  // namespace
 
+ChannelOutline channel_outline(const Scene& scene) {
+  const ChannelShape shape = channel_shape(scene);
+  ChannelOutline outline{facets(shape.upper), facets(shape.lower)};
+  for (Vec2& point : outline.lower) point.y() = -point.y();
+  return outline;
+}
+
 Walls channel_walls(const Scene& scene) {
   require(scene.geometry.present, "the scene has no section [geometry]; a channel needs one");
-  const auto& g = scene.geometry;
-  const double start = channel_start(scene);
-  const double bend = -narrowing_length(scene);
-  const double end = g.neck_length;
-  const double wide = g.channel_width / 2;
-  const double neck = g.neck_width / 2;
+  const double height = scene.geometry.neck_height;
+  const ChannelOutline sides = channel_outline(scene);
+  // Counter-clockwise: below from inlet to outlet, above back again.
+  std::vector<Vec2> outline = sides.lower;
+  outline.insert(outline.end(), sides.upper.rbegin(), sides.upper.rend());
+
   Walls walls;
-
-  // Upright walls, first at +y; the ones at -y are their mirror image, which turns them around.
-  const std::array<std::array<double, 2>, 4> outline{
-      {{start, wide}, {bend, wide}, {0, neck}, {end, neck}}};
-  for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
-    const auto [xa, ya] = outline[i];
-    const auto [xb, yb] = outline[i + 1];
-    add_quad(walls, {xa, ya, 0}, {xb, yb, 0}, {xb, yb, g.neck_height}, {xa, ya, g.neck_height});
-    add_quad(walls, {xb, -yb, 0}, {xa, -ya, 0}, {xa, -ya, g.neck_height}, {xb, -yb, g.neck_height});
+  for (std::size_t i = 0; i + 1 < outline.size(); ++i)
+    if (i + 1 != sides.lower.size()) add_upright(walls, outline[i], outline[i + 1], height);
+  for (const auto& [a, b, c] : triangulate(outline)) {
+    const auto at = [&](int i, double z) { return Vec3(outline[i].x(), outline[i].y(), z); };
+    walls.push_back({{at(a, 0), at(b, 0), at(c, 0)}});
+    walls.push_back({{at(c, height), at(b, height), at(a, height)}});
   }
-
-  // Cut along y = +-neck, so that all edges meet whole even when the narrowing is a plane x = 0.
-  const auto h = g.neck_height;
-  add_floor_and_lid(walls, {{{start, -neck}, {0, -neck}, {0, neck}, {start, neck}}}, h);
-  add_floor_and_lid(walls, {{{0, -neck}, {end, -neck}, {end, neck}, {0, neck}}}, h);
-  add_floor_and_lid(walls, {{{start, neck}, {0, neck}, {bend, wide}, {start, wide}}}, h);
-  add_floor_and_lid(walls, {{{start, -wide}, {bend, -wide}, {0, -neck}, {start, -neck}}}, h);
   return walls;
 }
 

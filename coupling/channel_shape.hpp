@@ -1,38 +1,78 @@
-// The parametric channel along x: where it starts, how wide it is, what it holds.
+// The outline of the parametric channel in the x-y plane: the one place that knows its shape.
+// Walls, mesh, solid mask and volumes follow from it.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
+#include <array>
+#include <vector>
+
+#include <Eigen/Core>
 
 #include "coupling/scene.hpp"
 
 namespace clog {
 
-/// Length along x over which the channel narrows, (W - D) / (2 tan(angle)) [m].
-inline double narrowing_length(const Scene& scene) {
-  const auto& g = scene.geometry;
-  return (g.channel_width - g.neck_width) / (2 * std::tan(g.half_angle));
-}
+using Vec2 = Eigen::Vector2d;
 
-/// x of the channel's inlet; the neck's entrance is at x = 0 [m].
-inline double channel_start(const Scene& scene) {
-  return -(narrowing_length(scene) + scene.geometry.channel_length);
-}
+/// A piece of side wall, x along the flow and y > 0 the distance from the axis: straight, or an arc
+/// around a centre inside the wall.
+struct WallPiece {
+  Vec2 from, to;      ///< [m], from.x <= to.x
+  double radius = 0;  ///< of an arc; 0: straight [m]
+  Vec2 centre{0, 0};  ///< of an arc [m]
+
+  bool is_arc() const { return radius > 0; }
+  /// y at an x between from and to [m]
+  double distance(double x) const;
+  /// Angle of the wall from the flow axis where the piece begins or ends, < 0 where it narrows
+  /// [rad]
+  double angle_at(const Vec2& end) const;
+  /// Middle of the piece [m]
+  Vec2 middle() const;
+  double length() const;  ///< [m]
+  /// Area between the piece and the axis for a <= x <= b inside the piece [m2]
+  double area(double a, double b) const;
+};
+
+/// One side wall from inlet to outlet, without a gap.
+struct ChannelSide {
+  std::vector<WallPiece> pieces;
+
+  /// Distance of the wall from the axis at x; where it steps, the smaller one [m]
+  double distance(double x) const;
+};
+
+struct ChannelShape {
+  ChannelSide upper, lower;  ///< at y > 0, and at y < 0 mirrored
+  bool symmetric;            ///< both are the same
+
+  double start() const { return upper.pieces.front().from.x(); }  ///< x of the inlet [m]
+  double end() const { return upper.pieces.back().to.x(); }       ///< x of the outlet [m]
+  /// Width (extent along y) at x [m]
+  double width(double x) const { return upper.distance(x) + lower.distance(x); }
+};
+
+/// The shape of the scene's [geometry]; it must have passed check_shape.
+ChannelShape channel_shape(const Scene& scene);
+
+/// What makes the shape impossible, in words with the key and its value; empty if nothing does.
+std::string shape_fault(const Scene& scene);
+
+/// Length along x over which the channel narrows; of two different sides the longer one [m].
+double narrowing_length(const Scene& scene);
+
+/// x of the channel's inlet; the (unrounded) neck's entrance is at x = 0 [m].
+double channel_start(const Scene& scene);
+
+/// x of the channel's outlet: the end of the neck, or of the expansion after it [m].
+double channel_end(const Scene& scene);
+
+/// x from which the neck has its width: 0, or the end of its rounded entrance [m].
+double neck_start(const Scene& scene);
 
 /// Width (extent along y) at x [m].
-inline double channel_width_at(const Scene& scene, double x) {
-  const auto& g = scene.geometry;
-  return std::clamp(g.neck_width - 2 * x * std::tan(g.half_angle), g.neck_width, g.channel_width);
-}
+double channel_width_at(const Scene& scene, double x);
 
-/// Volume of the channel between two planes x = from < to, both at or upstream of the neck's
-/// entrance [m3]. The width is linear in pieces, so the midpoint of each piece is exact.
-inline double channel_volume(const Scene& scene, double from, double to) {
-  const double bend = std::clamp(-narrowing_length(scene), from, to);
-  const auto piece = [&](double a, double b) {
-    return (b - a) * channel_width_at(scene, (a + b) / 2) * scene.geometry.neck_height;
-  };
-  return piece(from, bend) + piece(bend, to);
-}
+/// Volume of the channel between two planes x = from < to [m3].
+double channel_volume(const Scene& scene, double from, double to);
 
 }  // namespace clog

@@ -8,7 +8,7 @@
 
 namespace clog {
 
-FlowLattice flow_lattice(const Scene& scene, double mesh_inlet) {
+FlowLattice flow_lattice(const Scene& scene, const FlowMesh& mesh) {
   const auto& g = scene.geometry;
   const double h = scene.flow.grid_spacing;
   const double layers = g.neck_height / h;
@@ -22,10 +22,12 @@ FlowLattice flow_lattice(const Scene& scene, double mesh_inlet) {
   FlowLattice lattice{};
   lattice.spacing = h;
   lattice.x_begin = static_cast<int>(std::floor(index_at(channel_start(scene))));
-  lattice.x_end = static_cast<int>(std::ceil(index_at(g.neck_length))) + 1;
+  lattice.x_end = static_cast<int>(std::ceil(index_at(channel_end(scene)))) + 1;
   lattice.x_sampled =
-      std::max(lattice.x_begin, static_cast<int>(std::floor(index_at(mesh_inlet))) + 1);
-  lattice.half_width = static_cast<int>(std::ceil(g.channel_width / 2 / h - 1e-6));
+      std::max(lattice.x_begin, static_cast<int>(std::floor(index_at(mesh.inlet()))) + 1);
+  lattice.half_width =
+      static_cast<int>(std::ceil(std::max(g.channel_width, g.expansion_width) / 2 / h - 1e-6));
+  lattice.y_sampled = mesh.sides() == 1 ? 0 : -lattice.half_width;
   lattice.height = static_cast<int>(std::lround(layers));
   return lattice;
 }

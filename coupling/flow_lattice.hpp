@@ -3,29 +3,31 @@
 
 #include <array>
 
+#include "coupling/flow_mesh.hpp"
 #include "coupling/scene.hpp"
-#include "coupling/walls.hpp"
 
 namespace clog {
 
 /// Points ((i + 1/2) h, (j + 1/2) h, (k + 1/2) h), y mirrored about 0. They cover the channel from
-/// before its start to past the end of the neck. The simulated quarter is y > 0, z <= height/2, x
-/// behind the inlet of the mesh; the flow before it is developed.
+/// before its start to past its end. Simulated are z <= height/2, y > 0 where the channel is
+/// symmetric, and x behind the inlet of the mesh; the flow before it is developed.
 struct FlowLattice {
   double spacing;      ///< h [m]
   int x_begin, x_end;  ///< range of i; x_end is past the last
   int x_sampled;       ///< first i inside the mesh
+  int y_sampled;       ///< first j inside the mesh: 0, or -half_width
   int half_width;      ///< j runs from -half_width to half_width - 1
   int height;          ///< k runs from 0 to height - 1
 
   double coordinate(int index) const { return (index + 0.5) * spacing; }  ///< [m]
 
-  /// Numbers of points of the simulated quarter along x, y, z; the plane z = height/2 included.
-  std::array<int, 3> quarter() const { return {x_end - x_sampled, half_width, (height + 1) / 2}; }
+  /// Numbers of sampled points along x, y, z; the plane z = height/2 included.
+  std::array<int, 3> sampled() const {
+    return {x_end - x_sampled, half_width - y_sampled, (height + 1) / 2};
+  }
 };
 
-/// \param mesh_inlet  x of the inlet of the mesh [m]
 /// \throws Error when flow.grid_spacing does not divide geometry.neck_height
-FlowLattice flow_lattice(const Scene& scene, double mesh_inlet);
+FlowLattice flow_lattice(const Scene& scene, const FlowMesh& mesh);
 
 }  // namespace clog

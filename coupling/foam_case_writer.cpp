@@ -1,10 +1,14 @@
 #include "coupling/foam_case_writer.hpp"
 
+#include <algorithm>
 #include <fstream>
+#include <map>
 #include <string>
 
 #include "coupling/content_hash.hpp"
+#include "coupling/flow_error.hpp"
 #include "coupling/foam_dictionaries.hpp"
+#include "coupling/foam_mesh.hpp"
 #include "coupling/require.hpp"
 #include "coupling/text_file.hpp"
 
@@ -28,18 +32,26 @@ bool is_time_folder(const fs::path& path) {
 void remove_results(const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator(folder)) {
     const auto name = entry.path().filename().string();
-    if (name == "postProcessing" || name == "fluxes" || name == "solved" ||
-        name.starts_with("log.") || is_time_folder(entry.path())) {
+    if (name == "postProcessing" || name == "fluxes" || name == "pressure" || name == "coarse" ||
+        name == "solved" || name.starts_with("log.") || is_time_folder(entry.path())) {
       fs::remove_all(entry.path());
     }
   }
   fs::remove_all(folder / "constant" / "polyMesh");
 }
 
-void copy_template(const fs::path& from, const fs::path& to) {
-  require(fs::exists(from / "Allrun"), "no OpenFOAM template in {} (an incomplete source tree?)",
-          from.string());
-  fs::copy(from, to, fs::copy_options::recursive | fs::copy_options::overwrite_existing);
+// All that OpenFOAM will read, as text in a fixed order: a changed template or mesh is another
+// case.
+std::string everything(const fs::path& template_folder,
+                       const std::map<std::string, std::string>& generated) {
+  std::map<std::string, std::string> files = generated;
+  for (const auto& entry : fs::recursive_directory_iterator(template_folder)) {
+    if (entry.is_regular_file())
+      files[fs::relative(entry.path(), template_folder).string()] = read_text_file(entry.path());
+  }
+  std::string text;
+  for (const auto& [name, content] : files) text += name + "\n" + content;
+  return text;
 }
 
 // Refuses a folder that is neither empty nor a flow case: its files would be mixed with ours.
@@ -53,9 +65,19 @@ void refuse_foreign_folder(const fs::path& folder) {
 
 FoamCaseState write_files(const Scene& scene, const fs::path& folder,
                           const fs::path& template_folder) {
+  require(fs::exists(template_folder / "Allrun"),
+          "no OpenFOAM template in {} (an incomplete source tree?)", template_folder.string());
   const FlowMesh mesh = flow_mesh(scene);
-  const FlowLattice lattice = flow_lattice(scene, mesh.inlet);
-  const std::string hash = content_hash(flow_inputs(scene)) + "\n";
+  const FlowLattice lattice = flow_lattice(scene, mesh);
+  const std::map<std::string, std::string> generated{
+      {"system/sceneDict", scene_dictionary(scene, lattice)},
+      {"system/blockMeshDict", block_mesh_dictionary(mesh, scene.geometry.neck_height / 2)},
+      {"system/topoSetDict", surfaces_dictionary(mesh)},
+      {"system/fluxDict", flux_dictionary(mesh)},
+      {"surfaces", surface_names(mesh)},
+      {"constant/inletProfile", inlet_profile(scene, mesh)}};
+  const std::string hash = content_hash(flow_inputs(scene)) + "\n" +
+                           content_hash(everything(template_folder, generated)) + "\n";
   const auto holds = [&](const char* name) {
     return fs::exists(folder / name) && read_text_file(folder / name) == hash;
   };
@@ -64,9 +86,9 @@ FoamCaseState write_files(const Scene& scene, const fs::path& folder,
 
   fs::create_directories(folder);
   remove_results(folder);
-  copy_template(template_folder, folder);
-  write_text(folder / "system" / "sceneDict", scene_dictionary(scene, mesh, lattice));
-  write_text(folder / "constant" / "inletProfile", inlet_profile(scene, mesh));
+  fs::copy(template_folder, folder,
+           fs::copy_options::recursive | fs::copy_options::overwrite_existing);
+  for (const auto& [name, text] : generated) write_text(folder / name, text);
   write_text(folder / "scene.toml", effective_scene(scene));
   write_text(folder / "hash", hash);
   return same ? FoamCaseState::unsolved : FoamCaseState::written;
@@ -75,12 +97,15 @@ FoamCaseState write_files(const Scene& scene, const fs::path& folder,
 }  // namespace
 
 FoamCaseState write_foam_case(const Scene& scene, const fs::path& folder,
-                              const fs::path& template_folder) {
+                              const fs::path& template_folder, FoamCaseCheck check) {
   require(scene.flow.source == FlowSource::openfoam,
           "flow.source is not \"openfoam\" (this scene needs no flow case); set it to write one");
   try {
     refuse_foreign_folder(folder);
-    return write_files(scene, folder, template_folder);
+    if (check == FoamCaseCheck::without) return write_files(scene, folder, template_folder);
+    const Scene coarser = coarser_scene(scene);
+    const FoamCaseState state = write_files(scene, folder, template_folder);
+    return std::min(state, write_files(coarser, coarser_folder(folder), template_folder));
   } catch (const fs::filesystem_error& error) {
     throw Error(fmt::format("cannot write the case {} ({})", folder.string(), error.what()));
   }

@@ -13,13 +13,19 @@ enum class FoamCaseState {
   solved     ///< was there for the same inputs and is solved: its Allrun has nothing to do
 };
 
-/// Makes `folder` the flow case of the scene. The case is named by content_hash(flow_inputs(scene))
-/// in its file `hash`; results of other inputs are removed, those of the same inputs kept.
-/// Generated: system/sceneDict (numbers, SI), constant/inletProfile, scene.toml, hash. Everything
-/// else is copied from `template_folder`. \throws Error when the scene has no OpenFOAM flow, when
-/// `folder` holds something else, or when a file
+enum class FoamCaseCheck { without, with_coarser_mesh };
+
+/// Makes `folder` the flow case of the scene. Its file `hash` holds
+/// content_hash(flow_inputs(scene)), by which a flow is known, and the hash of all files that
+/// OpenFOAM reads: results of other inputs or of another template are removed, those of the same
+/// kept. Generated: system/sceneDict (numbers, SI), the mesh and its surfaces,
+/// constant/inletProfile, scene.toml, hash. Everything else is copied from `template_folder`. With
+/// a check, the case of the same flow on a coarser mesh lies inside, and the state is the less
+/// finished one of the two. \throws Error when the scene has no OpenFOAM flow, when `folder` holds
+/// something else, or when a file
 ///         cannot be written
 FoamCaseState write_foam_case(const Scene& scene, const std::filesystem::path& folder,
-                              const std::filesystem::path& template_folder);
+                              const std::filesystem::path& template_folder,
+                              FoamCaseCheck check = FoamCaseCheck::without);
 
 }  // namespace clog

@@ -29,50 +29,8 @@ void add_flow(Dictionary& out, const Scene& scene) {
   out.add("kinematicViscosity", scene.fluid.viscosity / scene.fluid.density, "[m2/s]");
 }
 
-void add_shape(Dictionary& out, const Scene& scene, const FlowMesh& mesh) {
-  const auto& g = scene.geometry;
-  out.head("Shape [m]; the neck's entrance is x = 0");
-  out.add("halfWide", g.channel_width / 2);
-  out.add("halfNeck", g.neck_width / 2);
-  out.add("halfHeight", g.neck_height / 2);
-  out.add("xInlet", mesh.inlet);
-  out.add("xWide", mesh.wide_corner.wall, "end of the straight channel");
-  out.add("xWideAxis", mesh.wide_corner.axis);
-  out.add("xWideArc", mesh.wide_corner.arc[0],
-          "a point on the arc from the axis to the wide corner");
-  out.add("yWideArc", mesh.wide_corner.arc[1]);
-  out.add("xNeckAxis", mesh.neck_edge.axis);
-  out.add("xNeckArc", mesh.neck_edge.arc[0], "a point on the arc from the axis to the neck's edge");
-  out.add("yNeckArc", mesh.neck_edge.arc[1]);
-  out.add("xMiddle", mesh.middle);
-  out.add("xOutlet", mesh.outlet);
-}
-
-void add_mesh(Dictionary& out, const FlowMesh& mesh) {
-  out.head("Cells");
-  out.add("cellsAcross", mesh.cells_across, "axis to wall");
-  out.add("cellsHigh", mesh.cells_high, "floor to middle");
-  out.add("cellsUpstream", mesh.upstream.cells);
-  out.add("cellsNarrowing", mesh.narrowing.cells);
-  out.add("cellsEntrance", mesh.entrance.cells);
-  out.add("cellsNeck", mesh.neck.cells);
-  out.head("Last cell over first");
-  out.add("gradeUpstreamAxis", mesh.upstream.axis_grading);
-  out.add("gradeUpstreamWall", mesh.upstream.wall_grading);
-  out.add("gradeNarrowingAxis", mesh.narrowing.axis_grading);
-  out.add("gradeNarrowingWall", mesh.narrowing.wall_grading);
-  out.add("gradeEntranceAxis", mesh.entrance.axis_grading);
-  out.add("gradeEntranceWall", mesh.entrance.wall_grading);
-  out.add("gradeInlet", mesh_grading::inlet, "along y, axis to wall");
-  out.add("gradeWide", mesh_grading::wide);
-  out.add("gradeEdge", mesh_grading::edge);
-  out.add("gradeMiddle", mesh_grading::middle);
-  out.add("gradeOutlet", mesh_grading::outlet);
-  out.add("gradeHeight", mesh_grading::height, "along z, floor to middle");
-}
-
 void add_samples(Dictionary& out, const FlowLattice& lattice) {
-  const auto [nx, ny, nz] = lattice.quarter();
+  const auto [nx, ny, nz] = lattice.sampled();
   const double h = lattice.spacing;
   // Of an odd number of layers one lies on the symmetry plane, where the search for its cell may
   // fail: all are lowered by a millionth of the spacing.
@@ -82,7 +40,7 @@ void add_samples(Dictionary& out, const FlowLattice& lattice) {
   out.add("samplePointsY", ny);
   out.add("samplePointsZ", nz);
   out.add("sampleOriginX", lattice.coordinate(lattice.x_sampled - 1));
-  out.add("sampleOriginY", -h / 2);
+  out.add("sampleOriginY", lattice.coordinate(lattice.y_sampled - 1));
   out.add("sampleOriginZ", -h / 2 - lower);
   out.add("sampleSpanX", (nx + 1) * h);
   out.add("sampleSpanY", (ny + 1) * h);
@@ -91,11 +49,9 @@ void add_samples(Dictionary& out, const FlowLattice& lattice) {
 
 }  // namespace
 
-std::string scene_dictionary(const Scene& scene, const FlowMesh& mesh, const FlowLattice& lattice) {
+std::string scene_dictionary(const Scene& scene, const FlowLattice& lattice) {
   Dictionary out;
   add_flow(out, scene);
-  add_shape(out, scene, mesh);
-  add_mesh(out, mesh);
   add_samples(out, lattice);
   return out.text();
 }
@@ -105,21 +61,24 @@ std::string inlet_profile(const Scene& scene, const FlowMesh& mesh) {
   const double high = scene.geometry.neck_height / 2;
   const DuctFlow duct(2 * wide, 2 * high);
   const auto y = [&](int j) {
-    return wide * graded_edge(j, mesh.cells_across, mesh_grading::inlet);
+    return wide * graded_edge(j, mesh.cells_across, mesh.stations.front().grading);
   };
-  const auto z = [&](int k) {
-    return high * graded_edge(k, mesh.cells_high, mesh_grading::height);
+  const auto z = [&](int k) { return high * graded_edge(k, mesh.cells_high, height_grading); };
+  std::string text;
+  const auto add_face = [&](double y_min, double y_max, int k) {
+    const double mean =
+        duct.mean_over({.y_min = y_min, .y_max = y_max, .z_min = z(k), .z_max = z(k + 1)});
+    text += fmt::format("({:.12g} 0 0)\n", scene.flow.mean_velocity * mean);
   };
-  std::string text =
-      fmt::format("value nonuniform List<vector> {}\n(\n", mesh.cells_across * mesh.cells_high);
-  for (int k = 0; k < mesh.cells_high; ++k) {
-    for (int j = 0; j < mesh.cells_across; ++j) {
-      const double mean =
-          duct.mean_over({.y_min = y(j), .y_max = y(j + 1), .z_min = z(k), .z_max = z(k + 1)});
-      text += fmt::format("({:.12g} 0 0)\n", scene.flow.mean_velocity * mean);
-    }
-  }
-  return text + ");\n";
+  const int across = mesh.cells_across;
+  for (int k = 0; k < mesh.cells_high; ++k)
+    for (int j = 0; j < across; ++j) add_face(y(j), y(j + 1), k);
+  // Below the axis the rows run from the wall to the axis.
+  for (int k = 0; k < mesh.cells_high && mesh.sides() == 2; ++k)
+    for (int j = across; j > 0; --j) add_face(-y(j), -y(j - 1), k);
+  return fmt::format("value nonuniform List<vector> {}\n(\n",
+                     static_cast<int>(mesh.sides()) * across * mesh.cells_high) +
+         text + ");\n";
 }
 
 }  // namespace clog

@@ -10,9 +10,10 @@
 namespace clog {
 
 /// system/sceneDict: every number the template uses, SI units.
-std::string scene_dictionary(const Scene& scene, const FlowMesh& mesh, const FlowLattice& lattice);
+std::string scene_dictionary(const Scene& scene, const FlowLattice& lattice);
 
-/// constant/inletProfile: the velocity [m/s] of each inlet face, in blockMesh's order (y fastest).
+/// constant/inletProfile: the velocity [m/s] of each inlet face, in blockMesh's order (y
+/// fastest, above the axis first).
 std::string inlet_profile(const Scene& scene, const FlowMesh& mesh);
 
 }  // namespace clog

@@ -39,15 +39,14 @@ std::string version(const std::string& log) {
   return "unknown";
 }
 
-nlohmann::json fluxes(const fs::path& file) {
-  constexpr double quarters = 4;
+nlohmann::json fluxes(const fs::path& file, double copies) {
   std::istringstream in(read_text_file(file));
   nlohmann::json planes = nlohmann::json::array();
   std::string name;
   double flux = 0, inlet = 0;
   while (in >> name >> flux) {
     if (planes.empty()) inlet = flux;
-    planes.push_back({{"surface", name}, {"flux", quarters * flux}, {"error", flux / inlet - 1}});
+    planes.push_back({{"surface", name}, {"flux", copies * flux}, {"error", flux / inlet - 1}});
   }
   require(in.eof() && planes.size() >= 2 && inlet > 0,
           "{} does not hold one positive flux a surface; run the case's Allrun again",
@@ -57,7 +56,7 @@ nlohmann::json fluxes(const fs::path& file) {
 
 }  // namespace
 
-nlohmann::json read_foam_logs(const fs::path& folder) {
+nlohmann::json read_foam_logs(const fs::path& folder, double copies) {
   nlohmann::json found;
   const fs::path solver = folder / "log.simpleFoam";
   const std::string log = read_text_file(solver);
@@ -71,8 +70,17 @@ nlohmann::json read_foam_logs(const fs::path& folder) {
   const std::string check = read_text_file(mesh);
   found["cells"] = static_cast<long>(number_after(check, "\n    cells:", mesh));
   found["non_orthogonality"] = number_after(check, "Mesh non-orthogonality Max:", mesh);
-  found["mass_flux"] = fluxes(folder / "fluxes");
+  found["mass_flux"] = fluxes(folder / "fluxes", copies);
   return found;
+}
+
+double read_pressure_drop(const fs::path& folder) {
+  const fs::path file = folder / "pressure";
+  std::istringstream in(read_text_file(file));
+  double drop = 0;
+  require(static_cast<bool>(in >> drop) && drop > 0,
+          "{} holds no positive number; run the case's Allrun again", file.string());
+  return drop;
 }
 
 }  // namespace clog

@@ -49,7 +49,7 @@ class Reader {
 public:
   Reader(const std::filesystem::path& file, const FlowLattice& lattice)
       : file_(file), lattice_(lattice) {
-    samples_.points = lattice.quarter();
+    samples_.points = lattice.sampled();
     const auto [nx, ny, nz] = samples_.points;
     const std::size_t count = static_cast<std::size_t>(nx) * ny * nz;
     samples_.velocity.resize(count);
@@ -59,7 +59,7 @@ public:
   void add(std::string_view line, std::size_t number) {
     const Place place{file_, number};
     const auto values = six_numbers(line, place);
-    const std::array<int, 3> first{lattice_.x_sampled, 0, 0};
+    const std::array<int, 3> first{lattice_.x_sampled, lattice_.y_sampled, 0};
     std::array<int, 3> at{};
     for (int axis = 0; axis < 3; ++axis) {
       at[axis] = lattice_index(values[axis], first[axis], lattice_);
@@ -112,13 +112,13 @@ std::filesystem::path foam_samples_file(const std::filesystem::path& folder) {
       const std::string name = entry.path().filename().string();
       double time = -1;
       std::from_chars(name.data(), name.data() + name.size(), time);
-      if (time > newest_time && fs::exists(entry.path() / "quarter_U.xy")) {
+      if (time > newest_time && fs::exists(entry.path() / "lattice_U.xy")) {
         newest_time = time;
-        newest = entry.path() / "quarter_U.xy";
+        newest = entry.path() / "lattice_U.xy";
       }
     }
   }
-  require(!newest.empty(), "{}/*/quarter_U.xy is missing; {}", samples.string(), remedy);
+  require(!newest.empty(), "{}/*/lattice_U.xy is missing; {}", samples.string(), remedy);
   return newest;
 }
 

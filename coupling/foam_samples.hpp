@@ -11,7 +11,7 @@
 
 namespace clog {
 
-/// Velocities of the quarter, [z][y][x]; points that OpenFOAM left out lie in a wall.
+/// Velocities at the sampled points, [z][y][x]; points that OpenFOAM left out lie in a wall.
 struct FoamSamples {
   std::array<int, 3> points{};                 ///< along x, y, z
   std::vector<std::array<float, 3>> velocity;  ///< [m/s]
@@ -22,7 +22,7 @@ struct FoamSamples {
   }
 };
 
-/// The raw file of the set `quarter`: lines "x y z Ux Uy Uz", # starts a comment.
+/// The raw file of the set `lattice`: lines "x y z Ux Uy Uz", # starts a comment.
 /// \throws Error naming file and line on a missing file, a line cut short, text that is not a
 /// number, a
 ///         value that is not finite, a point off the lattice, a point given twice

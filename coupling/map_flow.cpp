@@ -1,5 +1,6 @@
 #include "coupling/map_flow.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <ctime>
@@ -8,6 +9,7 @@
 #include "coupling/channel_shape.hpp"
 #include "coupling/content_hash.hpp"
 #include "coupling/duct_flow.hpp"
+#include "coupling/flow_error.hpp"
 #include "coupling/flow_mesh.hpp"
 #include "coupling/foam_log.hpp"
 #include "coupling/require.hpp"
@@ -23,14 +25,15 @@ namespace fs = std::filesystem;
 // mistake.
 constexpr double flux_tolerance = 0.1;
 
-// The quarter's row j >= 0 for a row -half_width <= j < half_width, and its sign for the y
-// component.
+// The sampled row for a row -half_width <= j < half_width, and its sign for the y component.
 struct Mirrored {
   int index;
   float sign;
 };
 
-Mirrored mirror_y(int j) { return j >= 0 ? Mirrored{j, 1.0f} : Mirrored{-1 - j, -1.0f}; }
+Mirrored mirror_y(int j, int first) {
+  return j >= first ? Mirrored{j, 1.0f} : Mirrored{-1 - j, -1.0f};
+}
 
 Mirrored mirror_z(int k, int layers) {
   const int other = layers - 1 - k;
@@ -43,6 +46,7 @@ public:
       : scene_(scene),
         lattice_(lattice),
         samples_(samples),
+        shape_(channel_shape(scene)),
         duct_(scene.geometry.channel_width, scene.geometry.neck_height) {}
 
   FlowGrid grid() const {
@@ -68,7 +72,7 @@ private:
     const double y = lattice_.coordinate(j);
     const auto developed =
         static_cast<float>(scene_.flow.mean_velocity * duct_(y, lattice_.coordinate(k)));
-    const Mirrored my = mirror_y(j);
+    const Mirrored my = mirror_y(j, lattice_.y_sampled);
     const Mirrored mz = mirror_z(k, lattice_.height);
     for (int i = lattice_.x_begin; i < lattice_.x_end; ++i) {
       const std::size_t at = grid.index(i - lattice_.x_begin, row, k);
@@ -79,12 +83,13 @@ private:
         velocity[0] = developed;
         continue;
       }
-      const std::size_t from = samples_.index(i - lattice_.x_sampled, my.index, mz.index);
+      const std::size_t from =
+          samples_.index(i - lattice_.x_sampled, my.index - lattice_.y_sampled, mz.index);
       require(samples_.found[from],
               "no sample at ({}, {}, {}) m, inside the fluid (the samples file is incomplete); "
               "delete the "
               "file `solved` of the case and run its Allrun again",
-              lattice_.coordinate(i), std::abs(y), lattice_.coordinate(mz.index));
+              lattice_.coordinate(i), lattice_.coordinate(my.index), lattice_.coordinate(mz.index));
       velocity[0] = samples_.velocity[from][0];
       velocity[1] = my.sign * samples_.velocity[from][1];
       velocity[2] = mz.sign * samples_.velocity[from][2];
@@ -93,12 +98,17 @@ private:
 
   // Points on a wall count as solid: OpenFOAM may or may not find them.
   bool is_solid(double x, double y) const {
-    return std::abs(y) >= channel_width_at(scene_, x) / 2 - 1e-6 * lattice_.spacing;
+    const double margin = 1e-6 * lattice_.spacing;
+    const ChannelSide& side = y > 0 ? shape_.upper : shape_.lower;
+    double wall = side.distance(x);
+    for (const double near : {x - margin, x + margin}) wall = std::min(wall, side.distance(near));
+    return std::abs(y) >= wall - margin;
   }
 
   const Scene& scene_;
   const FlowLattice& lattice_;
   const FoamSamples& samples_;
+  ChannelShape shape_;
   DuctFlow duct_;
 };
 
@@ -109,7 +119,7 @@ nlohmann::json grid_fluxes(const FlowGrid& grid, const Scene& scene, const FlowL
   const double bend = -narrowing_length(scene);
   nlohmann::json planes = nlohmann::json::array();
   for (const double x : {lattice.coordinate(lattice.x_sampled), bend - g.neck_width, bend, bend / 2,
-                         0.0, g.neck_length / 2, g.neck_length}) {
+                         0.0, g.neck_length / 2, g.neck_length, channel_end(scene)}) {
     const int i = static_cast<int>(std::lround((x - grid.origin.x()) / grid.spacing));
     if (i < 0 || i >= grid.points[0]) continue;
     const double flux = grid_flux(grid, i);
@@ -140,9 +150,9 @@ std::string solved_hash(const fs::path& folder, const Scene& scene) {
           "the case again",
           (folder / "scene.toml").string(), hash);
   require(fs::exists(folder / "solved"), "{} is not solved; run {}", folder.string(), run);
-  require(first_line(folder / "solved") == hash,
-          "{} holds the flow of other inputs ({}, not {}); run {}", folder.string(),
-          first_line(folder / "solved"), hash, run);
+  require(read_text_file(folder / "solved") == read_text_file(folder / "hash"),
+          "{} holds the flow of other inputs ({}, not {}) or of another template; run {}",
+          folder.string(), first_line(folder / "solved"), hash, run);
   return hash;
 }
 
@@ -169,14 +179,18 @@ FlowGrid map_flow(const fs::path& folder) {
   const std::string scene_text = read_text_file(scene_file);
   const Scene scene = parse_scene(scene_text, scene_file.string());
   const std::string hash = solved_hash(folder, scene);
-  const FlowLattice lattice = flow_lattice(scene, flow_mesh(scene).inlet);
+  const FlowMesh mesh = flow_mesh(scene);
+  const FlowLattice lattice = flow_lattice(scene, mesh);
 
-  FlowGrid grid =
-      grid_from_samples(scene, lattice, read_foam_samples(foam_samples_file(folder), lattice));
+  const FoamSamples samples = read_foam_samples(foam_samples_file(folder), lattice);
+  FlowGrid grid = grid_from_samples(scene, lattice, samples);
   grid.walls = channel_walls(scene);
   grid.scene_text = scene_text;
   grid.hash = hash;
-  grid.provenance = read_foam_logs(folder);
+  grid.provenance = read_foam_logs(folder, mesh.copies());
+  grid.provenance["pressure_drop"] = scene.fluid.density * read_pressure_drop(folder);
+  const nlohmann::json error = mesh_error(folder, scene, samples);
+  if (!error.is_null()) grid.provenance["mesh_error"] = error;
   grid.provenance["grid_flux"] = grid_fluxes(grid, scene, lattice);
   grid.provenance["date"] = utc_now();
   for (const auto& plane : grid.provenance["grid_flux"]) {

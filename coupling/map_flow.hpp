@@ -1,4 +1,4 @@
-// From the sampled quarter of a solved flow case to the whole channel on a regular grid.
+// From the samples of a solved flow case to the whole channel on a regular grid.
 #pragma once
 
 #include <filesystem>
@@ -10,9 +10,9 @@
 namespace clog {
 
 /// The regular grid of a solved flow case, with walls, effective scene, hash and provenance.
-/// Velocities are those of OpenFOAM, mirrored from the quarter, and before the inlet of its mesh
-/// those of developed duct flow; nothing is rescaled. Points inside a wall or on it are solid with
-/// zero velocity. \throws Error when the case is not solved, is of other inputs than its
+/// Velocities are those of OpenFOAM, mirrored where the channel is symmetric, and before the inlet
+/// of its mesh those of developed duct flow; nothing is rescaled. Points inside a wall or on it are
+/// solid with zero velocity. \throws Error when the case is not solved, is of other inputs than its
 /// scene.toml, or its files do
 ///         not hold what they should
 FlowGrid map_flow(const std::filesystem::path& folder);

@@ -16,7 +16,7 @@ enum class BelowRoughness { off, clamp };
 enum class DragVelocity { interstitial, superficial };
 enum class InletStart { filled, empty };
 enum class UnclogProtocol { none, release };
-enum class Integrator { verlet, implicit_drag };
+enum class Integrator { verlet, implicit_drag, implicit_fluid };
 
 struct Friction {
   double sliding = 0;  ///< [-]
@@ -35,6 +35,13 @@ struct Scene {
     double channel_length = 0;  ///< straight part upstream of the narrowing [m]; default 10 neck_width
     double neck_length = 0;     ///< straight part of the neck [m]; default neck_width
     double half_angle = 0;      ///< of the narrowing, from the flow axis [rad]
+    double half_angle_below = 0;  ///< of its wall at y < 0 [rad]; 0: half_angle
+    double neck_rounding = 0;   ///< radius of the neck's entrance [m]; 0: sharp
+    double step_width = 0;      ///< y extent of a straight part between two narrowings [m]; 0: none
+    double step_length = 0;     ///< its length [m]
+    double expansion_width = 0;   ///< y extent of the channel after the neck [m]; 0: none
+    double expansion_length = 0;  ///< its straight part [m]; default expansion_width
+    double expansion_angle = 0;   ///< of its walls, from the flow axis [rad]; default half_angle
     std::string stl;            ///< walls from this file instead of the shape above; empty: none
   } geometry;
 
@@ -126,6 +133,7 @@ struct Scene {
     double mass_scale = 1;         ///< [-]
     double rotational_inertia_scale = 1;  ///< [-]
     Integrator integrator = Integrator::verlet;
+    bool allow_unstable = false;   ///< warn of a step above its limit instead of refusing it
   } time;
 
   struct {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupling/channel_shape.hpp"
 #include "coupling/require.hpp"
 #include "coupling/scene_draft.hpp"
 #include "coupling/scene_keys.hpp"
@@ -30,6 +31,13 @@ void check_walls(const SceneDraft& draft) {
     require(geometry.channel_width >= geometry.neck_width,
             "{} (must not be wider than geometry.channel_width = {})",
             draft.says("geometry.neck_width"), metres(geometry.channel_width));
+  if (geometry.present && geometry.neck_width > 0 && geometry.stl.empty()) {
+    for (const char* key : {"geometry.expansion_length", "geometry.expansion_angle"})
+      require(!draft.has(key) || geometry.expansion_width > 0, "{} (needs geometry.expansion_width too)",
+              draft.says(key));
+    const std::string fault = shape_fault(draft.scene);
+    require(fault.empty(), "{}: {}", draft.name, fault);
+  }
   for (int axis = 0; box.present && axis < 3; ++axis)
     require(box.max[axis] > box.min[axis], "{} (must be larger than box.min in each component)",
             draft.says("box.max"));

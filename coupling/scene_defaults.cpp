@@ -44,6 +44,13 @@ void fill_geometry(SceneDraft& draft) {
   if (!draft.has("geometry.channel_length")) geometry.channel_length = 10 * width;
   if (!draft.has("geometry.neck_length")) geometry.neck_length = width;
   if (geometry.channel_width > width && geometry.stl.empty()) need(draft, "geometry.half_angle");
+  if (geometry.expansion_width > 0) {
+    if (!draft.has("geometry.expansion_length")) geometry.expansion_length = geometry.expansion_width;
+    if (!draft.has("geometry.expansion_angle")) {
+      need(draft, "geometry.half_angle", "or give geometry.expansion_angle");
+      geometry.expansion_angle = geometry.half_angle;
+    }
+  }
 }
 
 void fill_flow(SceneDraft& draft) {

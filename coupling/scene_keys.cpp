@@ -53,6 +53,13 @@ std::vector<Key> make_keys() {
       NUMBER(geometry.channel_length, length, positive, "straight part upstream of the narrowing; default 10 neck_width"),
       NUMBER(geometry.neck_length, length, positive, "straight part of the neck; default neck_width"),
       ANGLE(geometry.half_angle, "of the narrowing, from the flow axis; 90 deg is a step"),
+      ANGLE(geometry.half_angle_below, "of the wall at y < 0, where the narrowing is asymmetric; default half_angle"),
+      NUMBER(geometry.neck_rounding, length, positive, "radius of the rounded entrance of the neck; default: a sharp edge"),
+      NUMBER(geometry.step_width, length, positive, "y extent of a straight part between two narrowings; default: one narrowing"),
+      NUMBER(geometry.step_length, length, positive, "length of that part"),
+      NUMBER(geometry.expansion_width, length, positive, "y extent of the channel that follows the neck; default: the neck is the end"),
+      NUMBER(geometry.expansion_length, length, positive, "its straight part; default expansion_width"),
+      ANGLE(geometry.expansion_angle, "of its walls, from the flow axis; default half_angle"),
       TEXT(geometry.stl, "walls from this STL file (in metres) instead of the shape above"),
 
       VECTOR(box.min, length, "lower corner of plain walls around a laboratory scene"),
@@ -119,7 +126,8 @@ std::vector<Key> make_keys() {
       NUMBER(time.step_fraction, number, fraction, "of the Hertz contact time; default 0.02"),
       NUMBER(time.mass_scale, number, positive, "numerical mass over true mass; default 1"),
       NUMBER(time.rotational_inertia_scale, number, positive, "numerical moment of inertia over true one; default 1"),
-      WORD(time.integrator, "drag explicit, or implicit so that it never limits the step", "verlet", "implicit_drag"),
+      WORD(time.integrator, "drag explicit, or implicit so that it never limits the step, or drag and lubrication both", "verlet", "implicit_drag", "implicit_fluid"),
+      SWITCH(time.allow_unstable, "run with a step above its limit, for studies of what that does; default false"),
 
       NUMBER(passages.plane, length, any, "x that a particle must cross; default the middle of the neck"),
 

@@ -69,4 +69,11 @@ Vector<double> Fluid::drag_force(int i, const Vector<double>& v) const {
   return {c * (ux_[i] - v.x), c * (uy_[i] - v.y), c * (uz_[i] - v.z)};
 }
 
+Vector<double> Fluid::implicit_drag_force(int i, const Vector<double>& v, const Vector<double>& other,
+                                          double rate) const {
+  if (!drag_) return {0, 0, 0};
+  const double share = implicit_drag_factor(rate * coefficient_[i]);
+  return drag_force(i, v + (share * rate) * (other + drag_force(i, v)));
+}
+
 }  // namespace clog

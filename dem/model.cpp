@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "coupling/channel_geometry.hpp"
 #include "coupling/channel_shape.hpp"
+#include "coupling/flow_rescale.hpp"
 #include "coupling/require.hpp"
 #include "coupling/stl.hpp"
 #include "dem/physics/porosity.hpp"
@@ -102,9 +102,9 @@ void build_walls(Model& model, const FlowGrid* flow) {
     model.walls.insert(model.walls.end(), channel.begin(), channel.end());
     const Walls end = cross_wall(channel_start(s), s.geometry.channel_width, s.geometry.neck_height, 1);
     model.walls.insert(model.walls.end(), end.begin(), end.end());
-    model.gate = cross_wall(0, s.geometry.neck_width, s.geometry.neck_height, -1);
+    model.gate = cross_wall(neck_start(s), s.geometry.neck_width, s.geometry.neck_height, -1);
     enclose(model.domain, model.walls);
-    model.domain.outlet = s.geometry.neck_length;
+    model.domain.outlet = channel_end(s);
     model.domain.passage = s.passages.plane;
   } else {
     const Walls stl = read_stl(s.geometry.stl);
@@ -115,27 +115,14 @@ void build_walls(Model& model, const FlowGrid* flow) {
   }
 }
 
-/// Refuses the flow of another scene and names the first value that differs.
-void check_flow(const Scene& scene, const FlowGrid& flow) {
-  const std::string wanted = flow_inputs(scene);
-  if (flow.hash == content_hash(wanted)) return;
-  std::istringstream a(flow_inputs(parse_scene(flow.scene_text, "the scene in flow.h5"))), b(wanted);
-  for (std::string line_a, line_b; std::getline(a, line_a) && std::getline(b, line_b);)
-    require(line_a == line_b,
-            "the flow file belongs to another scene ({}, this scene has {}): make it anew with clog "
-            "case and clog map",
-            line_a, line_b);
-  throw Error("the flow file belongs to another scene: make it anew with clog case and clog map");
-}
-
 /// v in v_c = 0.1 v, or the fastest initial particle as v_c where nothing flows.
 double collision_speed(const Scene& scene, const std::vector<Particle>& initial) {
   const auto& u = scene.flow.velocity;
-  const double uniform = std::hypot(u[0], u[1], u[2]);
+  const double uniform = Vec3(u.data()).norm();
   if (scene.flow.mean_velocity > 0) return collision_speed_share * scene.flow.mean_velocity;
   if (uniform > 0) return collision_speed_share * uniform;
   double fastest = 0;
-  for (const Particle& p : initial) fastest = std::max(fastest, std::hypot(p.vx, p.vy, p.vz));
+  for (const Particle& p : initial) fastest = std::max(fastest, Vec3(p.vx, p.vy, p.vz).norm());
   return fastest;
 }
 
@@ -170,7 +157,6 @@ void refuse_unbuilt(const Scene& s) {
   };
   unbuilt(s.flow.pulsation.strength != 0, "flow.pulsation");
   unbuilt(s.drag.fluctuation.strength != 0, "drag.fluctuation");
-  unbuilt(s.flow.rescale, "flow.rescale");
   unbuilt(!s.fidelity.preset.empty(), "fidelity.preset");
   unbuilt(s.fidelity.tolerance != 0, "fidelity.tolerance");
 }
@@ -199,7 +185,7 @@ Particle Model::particle(double radius) const {
 Model make_model(const Scene& scene, const FlowGrid* flow, const std::vector<Particle>& initial) {
   refuse_unbuilt(scene);
   check_count(scene);
-  if (flow) check_flow(scene, *flow);
+  if (flow) check_flow_belongs(scene, *flow);
   Model model;
   model.scene = scene;
   const auto& c = scene.contact;

@@ -1,4 +1,4 @@
-// The largest stable step of a network of contacts and films, bounded particle by particle.
+// The largest stable step of a network of contacts and films: bounded particle by particle, or exact.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,8 @@ namespace clog {
 /// splits each pair among its two particles, so one 6 x 6 matrix per particle (translation and rotation
 /// coupled through the lever arms) decides: safe, exact for two particles and for one on a wall, and at
 /// most sqrt(2) too careful in a pack of equal spheres (2 where damping alone limits).
-/// Implicit drag adds +2 dt c to the translations in place of -2 dt c.
+/// Implicit drag adds +2 dt c to the translations in place of -2 dt c. exact() asks the whole matrix instead, by
+/// sparse Cholesky factorisation: what the springs' tangents allow, all sliders sticking.
 /// \source positive definiteness at the root l = -1 of stable_step(); block form of Gershgorin's theorem
 class NetworkLimit {
 public:
@@ -43,6 +44,12 @@ public:
   };
   Bound bound() const;
 
+  /// Largest stable step of all together, from a bound of it. \return [s], to 1 %, rather too small
+  double exact(const Bound& bound) const;
+
+  /// Relative width at which the search for the bound stops.
+  static constexpr double resolution = 1e-3;
+
 private:
   using Matrix6 = Eigen::Matrix<double, 6, 6>;
   using Vector6 = Eigen::Matrix<double, 6, 1>;
@@ -51,10 +58,17 @@ private:
 
   void add(int i, const Vector6& direction, double stiffness, double dashpot);
   bool stable(std::size_t i, double dt) const;
+  bool stable(double dt) const;
+  Vector6 scaled(int i, const Vector<double>& shift, const Vector<double>& turn) const;
 
   const Particles& particles_;
   Aligned<Matrix6> stiffness_, damping_;  // over mass; rotations in units of length / radius
-  Aligned<Vector6> implicit_;             // over mass
+  Aligned<Vector6> implicit_, explicit_;  // drag over mass
+  struct Link {
+    int i, j;
+    ContactModes modes;
+  };
+  std::vector<Link> links_;
 };
 
 }  // namespace clog

@@ -151,7 +151,7 @@ void Simulation::open_gate() {
   inlet_.restart_clock();
   drag_work_ = body_work_ = 0;
   watch_ = ClogWatch(model_.scene);
-  step_watch_.stored = -1;
+  step_watch_ = {};
 }
 
 void Simulation::set_walls(bool gate_closed) {
@@ -197,9 +197,12 @@ void Simulation::compute_forces() {
   WallLaws laws = model_.wall_laws;
   laws.contact = wall_law_;
   laws.dt = dt;
+  const bool implicit_films = model_.scene.time.integrator == Integrator::implicit_fluid;
+  const LubricationLaw film = implicit_films ? LubricationLaw{} : model_.lubrication;
+  if (implicit_films) laws.lubrication = {};
   kernels_.pack(p);
   pair_tally_ = kernels_.collide_pairs(
-      {p, n.contacts.pointers(), pair_law_, model_.lubrication, dt, n.equal_radius, n.equal_mass},
+      {p, n.contacts.pointers(), pair_law_, film, dt, n.equal_radius, n.equal_mass},
       model_.pair_terms);
   wall_tally_ = walls_.collide_planes(particles_, kernels_, laws);
   kernels_.unpack(p);
@@ -207,20 +210,25 @@ void Simulation::compute_forces() {
   wall_tally_.contacts += corners.contacts;
   wall_tally_.largest_overlap = std::max(wall_tally_.largest_overlap, corners.largest_overlap);
   fluid_.evaluate(particles_);
+  if (implicit_films) add_implicit_films(advance_task(), films());
 }
 
-void Simulation::advance() {
+AdvanceTask Simulation::advance_task() {
   const Scene& s = model_.scene;
-  // The first kick leads from time 0 to half a step; all later ones from half step to half step.
-  kick_ = kick_ == 0 ? model_.dt / 2 : model_.dt;
   AdvanceTask task{};
   task.particles = pointers(particles_);
   fluid_.attach(task);
   for (int a = 0; a < 3; ++a) task.body_force[a] = s.body_force[a];
-  task.kick = kick_;
+  task.kick = next_kick();
   task.drift = model_.dt;
-  task.implicit_drag = s.time.integrator == Integrator::implicit_drag;
+  task.implicit_drag = s.time.integrator != Integrator::verlet;
   task.passage = model_.domain.passage;
+  return task;
+}
+
+void Simulation::advance() {
+  const AdvanceTask task = advance_task();
+  kick_ = task.kick;
   const AdvanceTally tally = kernels_.advance(task);
   check(tally);
   way_ = tally.largest_speed * model_.dt;

@@ -6,6 +6,7 @@
 
 #include "coupling/run_file.hpp"
 #include "dem/clog_watch.hpp"
+#include "dem/films.hpp"
 #include "dem/fluid.hpp"
 #include "dem/inlet.hpp"
 #include "dem/kernels.hpp"
@@ -46,8 +47,8 @@ public:
   /// Who is told, in one line, of the step's limits and of a step near them.
   void on_note(std::function<void(const std::string&)> say) { say_ = std::move(say); }
 
-  /// Largest stable step of the present contacts, films and drag; after compute_forces().
-  NetworkLimit::Bound network_limit() const;
+  /// The present contacts, films and drag, which know their largest stable step; after compute_forces().
+  NetworkLimit network() const;
 
   double elastic_energy() const;  ///< of all springs, after compute_forces() [J]
   double kinetic_energy() const;  ///< at the time of the positions [J]
@@ -95,10 +96,14 @@ private:
   void sort_candidates();
   void announce_step();  ///< \throws Error if the step is too large
   void watch_step();     ///< now and then: the limit of the contacts, and energy from nothing
+  void look_at_limit();  ///< \throws Error if the run begins above it
   void check(const AdvanceTally& tally) const;
   [[noreturn]] void blow_up(const char* cause) const;
   void add_pair(NetworkLimit& network, int i, int j) const;
-  void add_film(NetworkLimit& network, int i, int j) const;
+  std::vector<Film> films() const;
+  AdvanceTask advance_task();
+  /// The first kick leads from time 0 to half a step; all later ones from half step to half step.
+  double next_kick() const { return kick_ == 0 ? model_.dt / 2 : model_.dt; }
   void find_passages();
   void set_friction(bool on);
   void sample_series();

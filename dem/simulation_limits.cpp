@@ -22,14 +22,15 @@ Vector<double> apart(const Particles& p, int i, int j) {
 
 }  // namespace
 
-NetworkLimit::Bound Simulation::network_limit() const {
+NetworkLimit Simulation::network() const {
   const auto& p = particles_;
   NetworkLimit network(p);
   for (std::size_t k = 0; k < neighbours_.contacts.size(); ++k)
     add_pair(network, neighbours_.contacts.first(k), neighbours_.contacts.second(k));
-  if (model_.lubrication.viscosity > 0)
-    for (std::size_t k = 0; k < neighbours_.first.size(); ++k)
-      add_film(network, neighbours_.first[k], neighbours_.second[k]);
+  const Integrator integrator = model_.scene.time.integrator;
+  if (integrator != Integrator::implicit_fluid)
+    for (const Film& film : films())
+      network.add_film(film.first, film.second, film.normal, film.coefficient);
   if (!walls_.empty())
     for (const auto& touch : walls_.touches(p)) {
       const int i = touch.particle;
@@ -41,10 +42,10 @@ NetworkLimit::Bound Simulation::network_limit() const {
     }
   AdvanceTask fluid{};
   fluid_.attach(fluid);
-  const bool implicit = model_.scene.time.integrator != Integrator::verlet;
   for (std::size_t i = 0; fluid.drag && i < p.size(); ++i)
-    network.add_drag(static_cast<int>(i), {fluid.drag[i], fluid.turn ? fluid.turn[i] : 0, implicit});
-  return network.bound();
+    network.add_drag(static_cast<int>(i), {fluid.drag[i], fluid.turn ? fluid.turn[i] : 0,
+                                           integrator != Integrator::verlet});
+  return network;
 }
 
 void Simulation::add_pair(NetworkLimit& network, int i, int j) const {
@@ -60,16 +61,31 @@ void Simulation::add_pair(NetworkLimit& network, int i, int j) const {
                                      p.radius[i] - overlap / 2, p.radius[j] - overlap / 2}));
 }
 
-void Simulation::add_film(NetworkLimit& network, int i, int j) const {
+std::vector<Film> Simulation::films() const {
   const auto& p = particles_;
-  const auto& film = model_.lubrication;
-  const Vector<double> between = apart(p, i, j);
-  const double distance = std::sqrt(dot(between, between)), gap = distance - p.radius[i] - p.radius[j];
-  if (gap < 0 || gap > film.farthest || (gap < film.nearest && !film.clamp)) return;
-  network.add_film(i, j, (1 / distance) * between,
-                   lubrication_coefficient(film.viscosity,
-                                           p.radius[i] * p.radius[j] / (p.radius[i] + p.radius[j]),
-                                           std::max(gap, film.nearest)));
+  std::vector<Film> films;
+  const auto add = [&](int i, int j, const LubricationLaw& law, const Vector<double>& normal, double radius,
+                       double gap) {
+    if (gap < 0 || gap > law.farthest || (gap < law.nearest && !law.clamp)) return;
+    films.push_back({i, j, normal,
+                     lubrication_coefficient(law.viscosity, radius, std::max(gap, law.nearest))});
+  };
+  const auto add_pair = [&](int i, int j) {
+    const Vector<double> between = apart(p, i, j);
+    const double distance = std::sqrt(dot(between, between));
+    add(i, j, model_.lubrication, (1 / distance) * between,
+        p.radius[i] * p.radius[j] / (p.radius[i] + p.radius[j]), distance - p.radius[i] - p.radius[j]);
+  };
+  if (model_.lubrication.viscosity > 0) {
+    const Neighbours& n = neighbours_;
+    for (std::size_t k = 0; k < n.first.size(); ++k) add_pair(n.first[k], n.second[k]);
+  }
+  const LubricationLaw& law = model_.wall_laws.lubrication;
+  if (law.viscosity > 0 && !walls_.empty())
+    for (const auto& wall : walls_.gaps(p, law.farthest))
+      add(wall.particle, -1, law, {wall.normal.x(), wall.normal.y(), wall.normal.z()},
+          p.radius[wall.particle], wall.width);
+  return films;
 }
 
 void Simulation::announce_step() {
@@ -81,21 +97,34 @@ void Simulation::announce_step() {
 
 void Simulation::watch_step() {
   if (step_ % look_every != 0 || particles_.size() == 0) return;
-  const NetworkLimit::Bound bound = network_limit();
-  step_watch_.smallest_limit = std::min(step_watch_.smallest_limit, bound.step);
-  if (!step_watch_.warned && model_.dt > near_limit * bound.step) {
-    step_watch_.warned = true;
-    const auto& p = particles_;
-    const int i = bound.particle;
-    if (say_)
-      say_(fmt::format("the step of {:.3g} s is {} the limit of the contacts of particle {} at ({:.4g}, "
-                       "{:.4g}, {:.4g}) m, {:.3g} s: clogs may shake; lower time.step_fraction or "
-                       "raise time.rotational_inertia_scale",
-                       model_.dt, model_.dt > bound.step ? "above" : "near", p.id[i], p.x[i], p.y[i],
-                       p.z[i], bound.step));
-  }
+  look_at_limit();
   const double stored = kinetic_energy() + elastic_energy();
   if (step_watch_.appeared(stored, drag_work_ + body_work_ + energy_in_)) blow_up("energy from nothing");
+}
+
+void Simulation::look_at_limit() {
+  const NetworkLimit network = this->network();
+  const NetworkLimit::Bound bound = network.bound();
+  // Nothing new unless the contacts have become stiffer.
+  if (bound.step > (1 - NetworkLimit::resolution) * step_watch_.smallest_bound) return;
+  step_watch_.smallest_bound = bound.step;
+  // The bound is safe; whether a step near it is, the whole network says.
+  const double dt = model_.dt, limit = dt > near_limit * bound.step ? network.exact(bound) : bound.step;
+  step_watch_.smallest_limit = std::min(step_watch_.smallest_limit, limit);
+  if (dt <= near_limit * limit) return;
+  const auto& p = particles_;
+  const int i = bound.particle;
+  const std::string what = fmt::format(
+      "the step of {:.3g} s is {} the limit of the contacts of particle {} at ({:.4g}, {:.4g}, {:.4g}) m, "
+      "{:.3g} s",
+      dt, dt > limit ? "above" : "near", p.id[i], p.x[i], p.y[i], p.z[i], limit);
+  const char* remedy = "lower time.step_fraction or raise time.rotational_inertia_scale";
+  const bool begins = step_ == 0 && filling_.stage == Filling::Stage::done;
+  require(!begins || dt <= limit || model_.scene.time.allow_unstable,
+          "{}: {}, or set time.allow_unstable to see what it does", what, remedy);
+  if (step_watch_.warned) return;
+  step_watch_.warned = true;
+  if (say_) say_(fmt::format("{}: clogs may shake; {}", what, remedy));
 }
 
 double Simulation::kinetic_energy() const {
@@ -133,7 +162,7 @@ void Simulation::blow_up(const char* cause) const {
       "{:.3g} m/s under a force of {:.3g} N, largest overlap {:.3g} m; lower time.step_fraction or raise "
       "contact.youngs_modulus",
       step_, time(), cause, p.id[worst], p.x[worst], p.y[worst], p.z[worst], fastest,
-      std::hypot(p.fx[worst], p.fy[worst], p.fz[worst]),
+      Vec3(p.fx[worst], p.fy[worst], p.fz[worst]).norm(),
       std::max(pair_tally_.largest_overlap, wall_tally_.largest_overlap)));
 }
 

@@ -17,8 +17,11 @@ namespace clog {
 Vector<double> Simulation::total_force(int i) const {
   const auto& p = particles_;
   const auto& body = model_.scene.body_force;
-  const Vector<double> drag = fluid_.drag_force(i, {p.vx[i], p.vy[i], p.vz[i]});
-  return {p.fx[i] + drag.x + body[0], p.fy[i] + drag.y + body[1], p.fz[i] + drag.z + body[2]};
+  const Vector<double> other{p.fx[i] + body[0], p.fy[i] + body[1], p.fz[i] + body[2]};
+  const Vector<double> velocity{p.vx[i], p.vy[i], p.vz[i]};
+  return other + (model_.scene.time.integrator == Integrator::verlet
+                      ? fluid_.drag_force(i, velocity)
+                      : fluid_.implicit_drag_force(i, velocity, other, next_kick() / p.mass[i]));
 }
 
 Vector<double> Simulation::velocity_now(int i) const {
@@ -70,8 +73,8 @@ double Simulation::elastic_energy() const {
   for (std::size_t k = 0; k < n.contacts.size(); ++k) {
     const int i = n.contacts.first(k), j = n.contacts.second(k);
     ContactGeometry<double> g{};
-    g.overlap = p.radius[i] + p.radius[j] -
-                std::hypot(p.x[i] - p.x[j], p.y[i] - p.y[j], p.z[i] - p.z[j]);
+    const Vec3 apart(p.x[i] - p.x[j], p.y[i] - p.y[j], p.z[i] - p.z[j]);
+    g.overlap = p.radius[i] + p.radius[j] - apart.norm();
     g.radius = p.radius[i] * p.radius[j] / (p.radius[i] + p.radius[j]);
     energy += stored_energy(model_.pair_law, g, n.contacts.springs(k));
   }

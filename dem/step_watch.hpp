@@ -10,7 +10,8 @@ namespace clog {
 inline constexpr std::int64_t look_every = 4096;
 
 struct StepWatch {
-  double smallest_limit = std::numeric_limits<double>::infinity();  ///< of the contacts met [s]
+  double smallest_bound = std::numeric_limits<double>::infinity();  ///< NetworkLimit::bound() [s]
+  double smallest_limit = std::numeric_limits<double>::infinity();  ///< exact() where the bound was near [s]
   bool warned = false;
   double stored = -1;   ///< kinetic and elastic energy at the last look; -1: none yet [J]
   double supplied = 0;  ///< work done until then [J]
@@ -28,7 +29,7 @@ struct StepWatch {
 
   template <class Archive>
   void exchange(Archive& archive) {
-    archive(smallest_limit, warned, stored, supplied);
+    archive(smallest_bound, smallest_limit, warned, stored, supplied);
   }
 };
 

@@ -190,6 +190,26 @@ std::vector<Touch> WallContacts::touches(const Particles& p) const {
   return all;
 }
 
+std::vector<WallContacts::Gap> WallContacts::gaps(const Particles& p, double widest) const {
+  std::vector<Gap> all;
+  const auto add = [&](int i, const Vec3& normal, double distance) {
+    const double width = distance - p.radius[i];
+    if (width >= 0 && width <= widest) all.push_back({i, normal, width});
+  };
+  for (std::size_t k = 0; k < slots_; ++k) {
+    const Vec3 normal(nx_[k], ny_[k], nz_[k]);
+    add(particle_[k], normal, normal.dot(centre_of(p, particle_[k])) - offset_[k]);
+  }
+  std::vector<WallPoint> found;
+  for (const Corner& corner : corners_) {
+    const int i = corner.particle;
+    found.clear();
+    surface_.closest_points(corner.triangles, centre_of(p, i), p.radius[i] + widest, found);
+    for (const WallPoint& wall : found) add(i, wall.normal, wall.distance);
+  }
+  return all;
+}
+
 double WallContacts::stored_energy(const Particles& p, const ContactLaw& law) const {
   double energy = 0;
   for (const Touch& touch : touches(p))

@@ -68,6 +68,14 @@ public:
   };
   std::vector<Touch> touches(const Particles& particles) const;
 
+  /// A particle that does not touch but is near a wall.
+  struct Gap {
+    int particle;
+    Vec3 normal;
+    double width;  ///< >= 0 [m]
+  };
+  std::vector<Gap> gaps(const Particles& particles, double widest) const;
+
   /// Everything but the surface, which the scene gives.
   template <class Archive>
   void exchange(Archive& archive) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "coupling/channel_geometry.hpp"
 #include "coupling/content_hash.hpp"
 #include "postprocess/event_statistics.hpp"
 #include "postprocess/fit_json.hpp"
@@ -94,6 +95,11 @@ json geometry(const Scene& scene) {
              {"passage_plane", scene.passages.plane},
              {"mean_velocity", scene.flow.mean_velocity},
              {"diameter", scene.particles.diameter}};
+  if (shape["present"]) {
+    const ChannelOutline outline = channel_outline(scene);
+    for (const auto& [name, points] : {std::pair("upper", outline.upper), {"lower", outline.lower}})
+      for (const Vec2& point : points) shape[name].push_back({point.x(), point.y()});
+  }
   if (scene.geometry.neck_width > 0) {
     shape["neck_ratio"] = scene.geometry.neck_width / scene.particles.diameter;
   }

@@ -16,6 +16,7 @@ const nlohmann::json units{{"tau", "s"},         {"t_min", "s"},          {"long
                            {"end", "s"},         {"filling_time", "s"},   {"neck_width", "m"},
                            {"neck_height", "m"}, {"channel_width", "m"},  {"channel_length", "m"},
                            {"neck_length", "m"}, {"half_angle", "rad"},   {"passage_plane", "m"},
+                           {"upper", "m"},       {"lower", "m"},
                            {"diameter", "m"},    {"mean_velocity", "m/s"}};
 
 /// "D/d = 3.03", and what else varies in a sweep.

@@ -76,7 +76,7 @@ end = "1 s"
   s.lubrication.cutoff = d / 2;
   s.time.step = step;
   s.time.step_fraction = p.step_fraction;
-  s.time.integrator = p.implicit ? Integrator::implicit_drag : Integrator::verlet;
+  s.time.integrator = p.integrator;
   s.time.end = step > 0 ? trial_steps * step : 1;
   return s;
 }
@@ -124,7 +124,7 @@ Trial run_trial(const Column& column, double step, double duration, int look) {
     int counted = 0;
     for (int k = 0; k < steps; ++k) {
       simulation.compute_forces();
-      if (look > 0 && k % look == 0) trial.limit = std::min(trial.limit, simulation.network_limit().step);
+      if (look > 0 && k % look == 0) trial.limit = std::min(trial.limit, simulation.network().bound().step);
       if (2 * k >= steps && k % 10 == 0) trial.kinetic += simulation.kinetic_energy(), ++counted;
       simulation.advance();
     }
@@ -203,7 +203,7 @@ std::vector<ExtremePoint> extreme_points(int count) {
                       log_between(u(5), 1e5, 1e11), log_between(u(7), 1e-6, 1), 0.36 + 0.64 * u(11),
                       k % 7 == 0 ? 0 : log_between(u(13), 0.01, 10), log_between(u(17), 0.01, 1),
                       1 + static_cast<int>(27 * u(19)), log_between(u(23), 1.0 / 200, 1.0 / 2), k % 2 == 0,
-                      k % 3 != 0});
+                      static_cast<Integrator>(k % 3)});
   }
   return points;
 }

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "coupling/scene.hpp"
+
 namespace clog {
 
 /// One column of spheres pressed on a floor by a uniform flow.
@@ -19,7 +21,7 @@ struct ExtremePoint {
   int particles;           ///< 1 to 27
   double step_fraction;    ///< of tau_Hertz, 1/200 to 1/2
   bool films;              ///< lubrication
-  bool implicit;           ///< drag
+  Integrator integrator;
 };
 
 /// Points spread evenly over the logarithms of the axes (multiples of roots of primes).

@@ -23,7 +23,7 @@ density = "1062 kg/m3"
 [flow]
 source = "openfoam"
 mean_velocity = "5 mm/s"
-mesh_cells_per_neck = 16
+mesh_cells_per_neck = 12
 grid_spacing = "5 um"
 [particles]
 diameter = "33 um"

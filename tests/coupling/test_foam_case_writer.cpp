@@ -32,10 +32,10 @@ TEST(FoamCaseWriter, WritesAWholeCase) {
        {"Allrun", "Allclean", "hash", "scene.toml", "0.orig/U", "0.orig/p", "constant/inletProfile",
         "constant/transportProperties", "constant/turbulenceProperties", "system/sceneDict",
         "system/blockMeshDict", "system/controlDict", "system/fvSchemes", "system/fvSolution",
-        "system/topoSetDict", "system/postProcessDict"}) {
+        "system/topoSetDict", "system/fluxDict", "surfaces", "system/postProcessDict"}) {
     EXPECT_TRUE(fs::is_regular_file(folder / name)) << name;
   }
-  EXPECT_EQ(read_text_file(folder / "hash"), hash_of({}) + "\n");
+  EXPECT_TRUE(read_text_file(folder / "hash").starts_with(hash_of({}) + "\n"));
   EXPECT_EQ(effective_scene(parse_scene(read_text_file(folder / "scene.toml"), "scene.toml")),
             effective_scene(flow_scene()));
   EXPECT_NE(fs::status(folder / "Allrun").permissions() & fs::perms::owner_exec, fs::perms::none);
@@ -58,6 +58,38 @@ TEST(FoamCaseWriter, KeepsASolvedFlowAndReplacesAnotherOne) {
   EXPECT_FALSE(fs::exists(folder / "solved"));
   EXPECT_FALSE(fs::exists(folder / "log.simpleFoam"));
   EXPECT_TRUE(fs::exists(folder / "0.orig" / "U"));
+}
+
+TEST(FoamCaseWriter, AChangedTemplateIsAnotherCase) {
+  const ScratchFolder scratch;
+  const fs::path own = scratch.path() / "template", folder = scratch.path() / "case";
+  fs::copy(foam_template(), own, fs::copy_options::recursive);
+  write_foam_case(flow_scene(), folder, own);
+  write_file(folder / "solved", read_text_file(folder / "hash"));
+  EXPECT_EQ(write_foam_case(flow_scene(), folder, own), FoamCaseState::solved);
+  write_file(own / "system" / "fvSchemes",
+             read_text_file(own / "system" / "fvSchemes") + "// other\n");
+  EXPECT_EQ(write_foam_case(flow_scene(), folder, own), FoamCaseState::written);
+  EXPECT_FALSE(fs::exists(folder / "solved"));
+}
+
+TEST(FoamCaseWriter, ACheckAddsACoarserCase) {
+  const ScratchFolder scratch;
+  const fs::path folder = scratch.path() / "case";
+  const auto write = [&](FoamCaseCheck check) {
+    return write_foam_case(flow_scene(), folder, foam_template(), check);
+  };
+  EXPECT_EQ(write(FoamCaseCheck::with_coarser_mesh), FoamCaseState::written);
+  const fs::path coarse = folder / "coarse";
+  EXPECT_EQ(parse_scene(read_text_file(coarse / "scene.toml"), "").flow.mesh_cells_per_neck, 6);
+  write_file(folder / "solved", read_text_file(folder / "hash"));
+  EXPECT_EQ(write(FoamCaseCheck::with_coarser_mesh), FoamCaseState::unsolved);
+  EXPECT_EQ(write(FoamCaseCheck::without), FoamCaseState::solved);
+  EXPECT_THAT(refusal([&] {
+                write_foam_case(flow_scene({"flow.mesh_cells_per_neck=7"}), folder, foam_template(),
+                                FoamCaseCheck::with_coarser_mesh);
+              }),
+              HasSubstr("flow.mesh_cells_per_neck = 7 (a check solves with half of them"));
 }
 
 TEST(FoamCaseWriter, OnlyKeysOfTheFlowChangeTheHash) {
@@ -101,9 +133,13 @@ TEST(FoamCaseWriter, RefusesScenesWithoutSuchAFlow) {
 // tangent is turned by 30, and the axis point lies half_width tan(15 deg) before the corner.
 TEST(FlowMesh, ArcsHalveTheCorners) {
   const FlowMesh mesh = flow_mesh(flow_scene());
-  EXPECT_NEAR(mesh.neck_edge.axis, -0.5e-4 * 0.26794919, 1e-12);
-  EXPECT_NEAR(mesh.wide_corner.wall, -0.8660254e-4, 1e-12);
-  EXPECT_NEAR(mesh.wide_corner.axis, mesh.wide_corner.wall - 2e-4 * 0.26794919, 1e-11);
+  const MeshStation &wide = mesh.stations.at(1), &edge = mesh.stations.at(2);
+  EXPECT_EQ(wide.name, "wideCorner");
+  EXPECT_EQ(edge.name, "neckEdge");
+  EXPECT_TRUE(edge.edge && !wide.edge);
+  EXPECT_NEAR(edge.axis, -0.5e-4 * 0.26794919, 1e-12);
+  EXPECT_NEAR(wide.foot[0].wall.x(), -0.8660254e-4, 1e-12);
+  EXPECT_NEAR(wide.axis, wide.foot[0].wall.x() - 2e-4 * 0.26794919, 1e-11);
 }
 
 TEST(FlowMesh, IsMadeForEveryShape) {
@@ -111,15 +147,23 @@ TEST(FlowMesh, IsMadeForEveryShape) {
     for (const char* width : {"120 um", "400 um", "1 mm"}) {
       const FlowMesh mesh = flow_mesh(flow_scene({std::string("geometry.half_angle=") + angle,
                                                   std::string("geometry.channel_width=") + width}));
-      EXPECT_LT(mesh.inlet, mesh.wide_corner.axis);
-      EXPECT_LT(mesh.wide_corner.axis, mesh.neck_edge.axis);
-      for (const MeshBlock& block : {mesh.upstream, mesh.narrowing, mesh.entrance, mesh.neck}) {
+      EXPECT_LT(mesh.inlet(), mesh.outlet());
+      for (const MeshBlock& block : mesh.blocks) {
         EXPECT_GE(block.cells, 2) << angle << " " << width;
         EXPECT_LE(block.cells, 400) << angle << " " << width;
-        EXPECT_TRUE(std::isfinite(block.wall_grading) && block.wall_grading > 0);
+        EXPECT_TRUE(std::isfinite(block.wall_grading[0]) && block.wall_grading[0] > 0);
       }
     }
   }
+}
+
+TEST(FlowMesh, RefusesCurvesThatCross) {
+  EXPECT_THAT(
+      refusal([] {
+        flow_mesh(flow_scene({"geometry.half_angle=90 deg", "geometry.half_angle_below=10 deg",
+                              "geometry.channel_width=130 um", "geometry.neck_rounding=10 um"}));
+      }),
+      HasSubstr("this shape cannot be meshed: the curves across the channel at"));
 }
 
 TEST(FlowMesh, GradedEdgesFollowTheRatio) {
@@ -143,10 +187,10 @@ TEST(FoamDictionaries, InletFacesCarryTheWholeFlux) {
       double u = 0, v = 0, w = 0;
       in >> u >> v >> w;
       flux += u *
-              (graded_edge(j + 1, mesh.cells_across, mesh_grading::inlet) -
-               graded_edge(j, mesh.cells_across, mesh_grading::inlet)) *
-              (graded_edge(k + 1, mesh.cells_high, mesh_grading::height) -
-               graded_edge(k, mesh.cells_high, mesh_grading::height));
+              (graded_edge(j + 1, mesh.cells_across, mesh.stations[0].grading) -
+               graded_edge(j, mesh.cells_across, mesh.stations[0].grading)) *
+              (graded_edge(k + 1, mesh.cells_high, height_grading) -
+               graded_edge(k, mesh.cells_high, height_grading));
     }
   }
   EXPECT_NEAR(flux / scene.flow.mean_velocity, 1, 1e-6);
@@ -154,12 +198,12 @@ TEST(FoamDictionaries, InletFacesCarryTheWholeFlux) {
 
 TEST(FlowLattice, CoversTheChannelAndAvoidsTheWalls) {
   const Scene scene = flow_scene();
-  const FlowLattice lattice = flow_lattice(scene, flow_mesh(scene).inlet);
+  const FlowLattice lattice = flow_lattice(scene, flow_mesh(scene));
   EXPECT_EQ(lattice.height, 20);
   EXPECT_EQ(lattice.half_width, 40);
   EXPECT_LE(lattice.coordinate(lattice.x_begin), -10.8660254e-4);
   EXPECT_GE(lattice.coordinate(lattice.x_end - 1), 1e-4);
-  EXPECT_GT(lattice.coordinate(lattice.x_sampled), flow_mesh(scene).inlet);
+  EXPECT_GT(lattice.coordinate(lattice.x_sampled), flow_mesh(scene).inlet());
   EXPECT_NEAR(lattice.coordinate(0), 2.5e-6, 1e-18);
 }
 

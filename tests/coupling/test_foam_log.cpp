@@ -2,9 +2,9 @@
 
 #include <gmock/gmock.h>
 
-#include "coupling/content_hash.hpp"
 #include "coupling/foam_case_writer.hpp"
 #include "coupling/map_flow.hpp"
+#include "coupling/text_file.hpp"
 #include "tests/coupling/flow_scene.hpp"
 #include "tests/coupling/refusal.hpp"
 
@@ -37,7 +37,7 @@ void write_logs(const std::filesystem::path& folder) {
 TEST(FoamLog, TellsHowTheFlowWasSolved) {
   const ScratchFolder scratch;
   write_logs(scratch.path());
-  const auto found = read_foam_logs(scratch.path());
+  const auto found = read_foam_logs(scratch.path(), 4);
   EXPECT_EQ(found["openfoam_version"], "v2312");
   EXPECT_EQ(found["iterations"], 164);
   EXPECT_EQ(found["cells"], 46560);
@@ -48,7 +48,7 @@ TEST(FoamLog, TellsHowTheFlowWasSolved) {
 
 TEST(FoamLog, RefusesLogsThatAreCutShort) {
   const ScratchFolder scratch;
-  const auto read = [&] { return refusal([&] { read_foam_logs(scratch.path()); }); };
+  const auto read = [&] { return refusal([&] { read_foam_logs(scratch.path(), 4); }); };
   EXPECT_THAT(read(), HasSubstr("log.simpleFoam is missing"));
   write_logs(scratch.path());
   write_file(scratch.path() / "log.simpleFoam", "Time = 3\n");
@@ -56,6 +56,15 @@ TEST(FoamLog, RefusesLogsThatAreCutShort) {
   write_logs(scratch.path());
   write_file(scratch.path() / "fluxes", "inlet 0\noutlet 1\n");
   EXPECT_THAT(read(), HasSubstr("one positive flux a surface"));
+}
+
+TEST(FoamLog, ReadsThePressureDrop) {
+  const ScratchFolder scratch;
+  write_file(scratch.path() / "pressure", "0.0167\n");
+  EXPECT_DOUBLE_EQ(read_pressure_drop(scratch.path()), 0.0167);
+  write_file(scratch.path() / "pressure", "\n");
+  EXPECT_THAT(refusal([&] { read_pressure_drop(scratch.path()); }),
+              HasSubstr("pressure holds no positive number; run the case's Allrun again"));
 }
 
 TEST(MapFlow, RefusesCasesThatAreNotSolvedOrOfOtherInputs) {
@@ -67,8 +76,8 @@ TEST(MapFlow, RefusesCasesThatAreNotSolvedOrOfOtherInputs) {
   EXPECT_THAT(map(), HasSubstr("is not solved; run " + (folder / "Allrun").string()));
   write_file(folder / "solved", "0123456789abcdef\n");
   EXPECT_THAT(map(), HasSubstr("holds the flow of other inputs (0123456789abcdef"));
-  write_file(folder / "solved", content_hash(flow_inputs(flow_scene())) + "\n");
-  EXPECT_THAT(map(), HasSubstr("quarter_U.xy is missing"));
+  write_file(folder / "solved", read_text_file(folder / "hash"));
+  EXPECT_THAT(map(), HasSubstr("lattice_U.xy is missing"));
   write_file(folder / "scene.toml", effective_scene(flow_scene({"flow.mean_velocity=1 mm/s"})));
   EXPECT_THAT(map(), HasSubstr("does not describe the flow"));
 }

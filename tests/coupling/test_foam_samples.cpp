@@ -15,18 +15,18 @@ using testing::HasSubstr;
 
 FlowLattice small_lattice() {
   return {
-      .spacing = 1e-5, .x_begin = -3, .x_end = 2, .x_sampled = -2, .half_width = 2, .height = 4};
+      .spacing = 1e-5, .x_begin = -3, .x_end = 2, .x_sampled = -2, .y_sampled = 0, .half_width = 2, .height = 4};
 }
 
 std::string refusal_of(const std::string& text) {
   const ScratchFolder scratch;
-  write_file(scratch.path() / "quarter_U.xy", text);
-  return refusal([&] { read_foam_samples(scratch.path() / "quarter_U.xy", small_lattice()); });
+  write_file(scratch.path() / "lattice_U.xy", text);
+  return refusal([&] { read_foam_samples(scratch.path() / "lattice_U.xy", small_lattice()); });
 }
 
 TEST(FoamSamples, ReadsPointsByTheirCoordinates) {
   const ScratchFolder scratch;
-  const auto file = scratch.path() / "quarter_U.xy";
+  const auto file = scratch.path() / "lattice_U.xy";
   write_file(
       file, "# x y z Ux Uy Uz\n5e-06\t5e-06 1.5e-05 0.02 -1e-3 3e-4\n-1.5e-5 1.5e-5 5e-06 1 2 3\n");
   const FoamSamples samples = read_foam_samples(file, small_lattice());
@@ -41,7 +41,7 @@ TEST(FoamSamples, ReadsPointsByTheirCoordinates) {
 TEST(FoamSamples, RefusesDamagedFilesByLine) {
   const std::string good = "5e-06 5e-06 5e-06 1 2 3\n";
   EXPECT_THAT(refusal_of(good + "5e-06 5e-06 1.5e-05 1 2\n"),
-              HasSubstr("quarter_U.xy:2: \"5e-06 5e-06 1.5e-05 1 2\""));
+              HasSubstr("lattice_U.xy:2: \"5e-06 5e-06 1.5e-05 1 2\""));
   EXPECT_THAT(refusal_of(good + "5e-06 5e-06 1.5e"), HasSubstr("ends inside a line (cut short)"));
   EXPECT_THAT(refusal_of("5e-06 5e-06 5e-06 1 nan 3\n"), HasSubstr("expected six finite numbers"));
   EXPECT_THAT(refusal_of("5e-06 5e-06 5e-06 1 x 3\n"), HasSubstr("expected six finite numbers"));
@@ -55,14 +55,14 @@ TEST(FoamSamples, RefusesDamagedFilesByLine) {
 TEST(FoamSamples, NamesTheFileThatIsMissing) {
   const ScratchFolder scratch;
   EXPECT_THAT(refusal([&] { foam_samples_file(scratch.path()); }),
-              HasSubstr("quarter_U.xy is missing"));
+              HasSubstr("lattice_U.xy is missing"));
 }
 
 // Samples whose velocity is (1 + x, y, z - height/2) in units of 100 um: the mirror images continue
 // it.
 FoamSamples linear_samples(const Scene& scene, const FlowLattice& lattice) {
   FoamSamples samples;
-  samples.points = lattice.quarter();
+  samples.points = lattice.sampled();
   const auto [nx, ny, nz] = samples.points;
   samples.velocity.resize(static_cast<std::size_t>(nx) * ny * nz);
   samples.found.assign(samples.velocity.size(), 1);
@@ -83,7 +83,7 @@ class GridFromSamples : public testing::TestWithParam<const char*> {};
 
 TEST_P(GridFromSamples, MirrorsTheQuarter) {
   const Scene scene = flow_scene({std::string("flow.grid_spacing=") + GetParam()});
-  const FlowLattice lattice = flow_lattice(scene, flow_mesh(scene).inlet);
+  const FlowLattice lattice = flow_lattice(scene, flow_mesh(scene));
   const FlowGrid grid = grid_from_samples(scene, lattice, linear_samples(scene, lattice));
   for (int k = 0; k < grid.points[2]; ++k) {
     for (int j = 0; j < grid.points[1]; ++j) {
@@ -107,7 +107,7 @@ INSTANTIATE_TEST_SUITE_P(Layers, GridFromSamples, testing::Values("5 um", "4 um"
 
 TEST(GridFromSamples, FillsTheRestWithDevelopedFlow) {
   const Scene scene = flow_scene();
-  const FlowLattice lattice = flow_lattice(scene, flow_mesh(scene).inlet);
+  const FlowLattice lattice = flow_lattice(scene, flow_mesh(scene));
   const FlowGrid grid = grid_from_samples(scene, lattice, linear_samples(scene, lattice));
   EXPECT_NEAR(grid_flux(grid, 0) / (5e-3 * 4e-8), 1, 2e-3);  // midpoint rule on 20 layers
   EXPECT_EQ(grid.velocity[1], 0);
@@ -119,7 +119,7 @@ TEST(GridFromSamples, FillsTheRestWithDevelopedFlow) {
 
 TEST(GridFromSamples, RefusesASampleMissingInTheFluid) {
   const Scene scene = flow_scene();
-  const FlowLattice lattice = flow_lattice(scene, flow_mesh(scene).inlet);
+  const FlowLattice lattice = flow_lattice(scene, flow_mesh(scene));
   FoamSamples samples = linear_samples(scene, lattice);
   samples.found[samples.index(3, 2, 1)] = 0;
   EXPECT_THAT(refusal([&] { grid_from_samples(scene, lattice, samples); }),

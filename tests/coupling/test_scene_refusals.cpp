@@ -107,6 +107,23 @@ TEST(SceneRefusals, OfValuesThatDisagree) {
   }
 }
 
+TEST(SceneRefusals, OfShapesThatAreImpossible) {
+  const std::pair<Overrides, const char*> cases[] = {
+      {{"geometry.neck_rounding=1 mm"}, "geometry.neck_rounding = 0.001 m (the arc does not fit"},
+      {{"geometry.channel_width=100 um", "geometry.neck_rounding=10 um"}, "there is no narrowing"},
+      {{"geometry.step_width=50 um", "geometry.step_length=1 mm"}, "must lie between neck_width"},
+      {{"geometry.step_width=200 um"}, "needs geometry.step_length too"},
+      {{"geometry.step_length=200 um"}, "needs geometry.step_width too"},
+      {{"geometry.step_width=200 um", "geometry.step_length=1 mm", "geometry.half_angle_below=30 deg"},
+       "leave out half_angle_below"},
+      {{"geometry.expansion_width=90 um"}, "must exceed neck_width"},
+      {{"geometry.expansion_length=90 um"}, "(needs geometry.expansion_width too)"},
+      {{"geometry.expansion_angle=90 deg"}, "(needs geometry.expansion_width too)"},
+  };
+  for (const auto& [overrides, reason] : cases)
+    EXPECT_THAT(refused(channel, overrides), HasSubstr(reason));
+}
+
 TEST(SceneRefusals, OfALaboratoryThatDisagrees) {
   EXPECT_THAT(refused(laboratory, {"flow.source=openfoam"}),
               HasSubstr("(openfoam needs a [geometry] section)"));

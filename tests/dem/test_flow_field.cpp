@@ -1,4 +1,6 @@
 // V0 from a grid: the nearest point, and a linear field that trilinear lookup must return exactly.
+#include <random>
+
 #include <gtest/gtest.h>
 
 #include "dem/flow_field.hpp"
@@ -63,6 +65,34 @@ TEST(FlowField, HalfVorticityOfTheLinearField) {
 TEST(FlowField, UniformAndNone) {
   EXPECT_EQ(FlowField().at(1, 2, 3), (std::array<double, 3>{0, 0, 0}));
   EXPECT_EQ(FlowField(std::array<double, 3>{1, 2, 3}).at(9, 9, 9), (std::array<double, 3>{1, 2, 3}));
+}
+
+/// The lookup of the hot loop and the one for single places are the same, in every instruction set.
+TEST(FlowField, ManyPlacesAtOnceAsOneByOne) {
+  const FlowGrid grid = linear_grid();
+  const FlowField field(grid, Lookup::nearest);
+  Particles particles;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> place(-2, 2);
+  for (int k = 0; k < 37; ++k)
+    particles.add({.id = k, .radius = 0.5 + k, .x = place(random), .y = place(random), .z = place(random)});
+  const double speed_up[2] = {2, 3}, drag_per_radius[2] = {5, 7};  // of two strips that meet at x = 0
+  std::vector<double> ux(37), uy(37), uz(37), drag(37);
+  FlowTask task{pointers(particles), nullptr, {}, 0, {}, -1, 1, 1, speed_up, drag_per_radius, ux.data(), uy.data(),
+                uz.data(), drag.data()};
+  ASSERT_TRUE(field.describe(task));
+  EXPECT_FALSE(FlowField(grid, Lookup::trilinear).describe(task));
+  for (const Kernels* kernels : {&kernels_x86_64, &select_kernels()}) {
+    kernels->sample_nearest(task);
+    for (int k = 0; k < 37; ++k) {
+      const Vec3 u = at(field, {particles.x[k], particles.y[k], particles.z[k]});
+      const int strip = particles.x[k] >= 0;
+      EXPECT_EQ(ux[k], speed_up[strip] * u.x()) << kernels->name << " " << k;
+      EXPECT_EQ(uy[k], speed_up[strip] * u.y());
+      EXPECT_EQ(uz[k], speed_up[strip] * u.z());
+      EXPECT_EQ(drag[k], drag_per_radius[strip] * particles.radius[k]);
+    }
+  }
 }
 
 }  // namespace

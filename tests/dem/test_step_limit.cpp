@@ -103,9 +103,70 @@ TEST(StepLimits, AreNamedRefusedAndWarnedOf) {
                                                 HasSubstr("dt/contact limit")));
   EXPECT_EQ(check_step(limits, model), "");
   const auto at = [&](double share) { return make_model(pressed(share * limits.contacts), nullptr, one); };
-  EXPECT_THAT(check_step(limits, at(0.9)), HasSubstr("is near the limit of the contacts"));
+  EXPECT_THAT(check_step(limits, at(0.95)), HasSubstr("is near the limit of the contacts"));
   EXPECT_THAT(refusal([&] { check_step(limits, at(1.1)); }),
               AllOf(HasSubstr("is unstable: the contacts allow"), HasSubstr("lower time.step_fraction")));
+}
+
+TEST(NetworkLimit, ExactIsThatOfTheWholeChain) {
+  // n unit masses in a row, springs k between them: w^2 = 2 k (1 + cos(pi / n)); the bound says 4 k.
+  for (const int n : {2, 3, 8}) {
+    const Particles p = unit_spheres(n);
+    NetworkLimit chain(p);
+    for (int i = 0; i + 1 < n; ++i) chain.add_contact(i + (i % 2), i + 1 - (i % 2), spring(4, 0));
+    const double limit = 2 / std::sqrt(8 * (1 + std::cos(M_PI / n)));
+    const auto bound = chain.bound();
+    EXPECT_LE(bound.step, 1.001 * limit) << n;
+    EXPECT_NEAR(chain.exact(bound), limit, 0.01 * limit) << n;
+  }
+}
+
+TEST(NetworkLimit, ExactKnowsDashpotsAndDrag) {
+  const Particles p = unit_spheres(2);
+  for (const bool implicit : {false, true}) {
+    NetworkLimit network(p);
+    network.add_contact(0, 1, spring(4, 0.3));
+    for (const int i : {0, 1}) network.add_drag(i, {0.7, 0, implicit});
+    // The pair's mode is that of one mass: k dt^2 + 2 c dt -+ 2 drag dt = 4.
+    const double c = 0.6 + (implicit ? -0.7 : 0.7), limit = (-c + std::sqrt(c * c + 4 * 8)) / 8;
+    EXPECT_NEAR(network.exact(network.bound()), limit, 0.01 * limit) << implicit;
+  }
+}
+
+/// A sphere squeezed by the six walls of a box that is too small for it: only its contacts know the limit.
+struct Deep {
+  std::vector<Particle> sphere{{.radius = 16.5e-6}};
+  Scene scene = pressed(1e-8);
+  StepLimits limits = expected_limits(make_model(scene, nullptr, sphere), sphere);
+
+  explicit Deep(double share) {
+    scene.box.min.fill(-15e-6);
+    scene.box.max.fill(15e-6);
+    scene.time.step = share * limits.contacts;
+    scene.time.end = 2 * scene.time.step;
+  }
+};
+
+TEST(StepLimits, ARunThatBeginsAboveTheLimitOfItsContactsIsRefused) {
+  const Deep deep(0.8);
+  Laboratory lab(deep.scene, deep.sphere);
+  EXPECT_THAT(refusal([&] { lab->run(); }),
+              AllOf(HasSubstr("is above the limit of the contacts of particle 0 at"),
+                    HasSubstr("lower time.step_fraction"), HasSubstr("time.allow_unstable")));
+}
+
+TEST(StepLimits, ARunThatAllowsUnstableStepsIsOnlyWarned) {
+  Deep deep(0.8);
+  deep.scene.time.allow_unstable = true;
+  Laboratory lab(deep.scene, deep.sphere);
+  std::vector<std::string> notes;
+  lab->on_note([&](const std::string& note) { notes.push_back(note); });
+  lab->run();
+  EXPECT_THAT(notes, testing::Contains(HasSubstr("is above the limit of the contacts of particle 0 at")));
+  const Model above = make_model(Deep(2).scene, nullptr, deep.sphere);
+  EXPECT_THAT(refusal([&] { check_step(deep.limits, above); }), HasSubstr("is unstable"));
+  deep.scene.time.step = above.dt;
+  EXPECT_THAT(check_step(deep.limits, make_model(deep.scene, nullptr, deep.sphere)), HasSubstr("is unstable"));
 }
 
 TEST(StepLimits, OfStiffDragPointToTheImplicitIntegrator) {
@@ -142,7 +203,7 @@ TEST(StepWatch, DoesNotChangeTheBitsOfARun) {
   const std::vector<Particle> few{{.radius = 16.5e-6, .z = 16e-6}, {.radius = 16.5e-6, .x = 33e-6, .z = 17e-6}};
   Laboratory watched(pressed(2e-8), few), unwatched(pressed(2e-8), few);
   watched->compute_forces(), unwatched->compute_forces();
-  watched->network_limit();
+  watched->network().bound();
   watched->advance(), unwatched->advance();
   EXPECT_EQ(watched.position(1), unwatched.position(1));
   EXPECT_EQ(watched.spin(1), unwatched.spin(1));

@@ -2,7 +2,7 @@ clog_tests(test_physics
   SOURCES dem/test_material_pair.cpp dem/test_contact_laws.cpp dem/test_fluid_laws.cpp
   LIBRARIES clog_dem LABELS unit)
 clog_tests(test_few_particles
-  SOURCES dem/test_impacts.cpp dem/test_friction.cpp dem/test_suspended.cpp
+  SOURCES dem/test_impacts.cpp dem/test_friction.cpp dem/test_suspended.cpp dem/test_films.cpp
   LIBRARIES clog_dem LABELS unit)
 clog_tests(test_walls
   SOURCES dem/test_wall_surface.cpp dem/test_wall_contacts.cpp

@@ -73,6 +73,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"ViscousTorque", {"drag.viscous_torque=true", "flow.lookup=trilinear"}},
                     Case{"WallLubrication", {"lubrication.walls=true", "lubrication.below_roughness=clamp"}},
                     Case{"ImplicitDrag", {"time.integrator=implicit_drag", "drag.velocity=superficial"}},
+                    Case{"ImplicitFluid", {"time.integrator=implicit_fluid", "lubrication.walls=true"}},
                     Case{"NoFriction",
                          {"contact.friction.sliding=0", "contact.friction.rolling=0",
                           "contact.friction.torsion=0", "unclog.protocol=none"}},

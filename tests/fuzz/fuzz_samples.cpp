@@ -5,7 +5,7 @@
 #include "tests/fuzz/one_input.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const clog::FlowLattice lattice{.spacing = 1e-5, .x_begin = -6, .x_end = 3, .x_sampled = -4, .half_width = 3, .height = 5};
+  const clog::FlowLattice lattice{.spacing = 1e-5, .x_begin = -6, .x_end = 3, .x_sampled = -4, .y_sampled = 0, .half_width = 3, .height = 5};
   return clog::fuzz::try_input([&] {
     const clog::FoamSamples samples = clog::read_foam_samples(clog::fuzz::as_file(data, size), lattice);
     for (const auto& velocity : samples.velocity)

@@ -75,6 +75,9 @@ std::vector<Case> cases() {
   implicit.time.integrator = Integrator::implicit_drag;
   film.lubrication.enabled = true;
   film.lubrication.cutoff = 16.5e-6;
+  Scene implicit_film = film;
+  implicit_film.time.integrator = Integrator::implicit_fluid;
+  const std::vector<Particle> squeezed{{.radius = 16.5e-6, .vx = 0.025}, {.radius = 16.5e-6, .x = 38e-6, .vx = -0.025}};
   const Friction stick{.sliding = 1e4};
   Scene springs = dry(0.5, stick), still = dry(0.5, stick);
   springs.contact.tangential_damping = 0;
@@ -89,7 +92,8 @@ std::vector<Case> cases() {
           {"torsion dashpot", 1, dry(0.5, {.torsion = 1e4}), pair({.wx = 3}), apart, true},
           {"drag, explicit", 1, drag, {{.radius = 16.5e-6}}, 5e-5},
           {"drag, implicit", 1, implicit, {{.radius = 16.5e-6}}, 5e-5},
-          {"lubrication", 1, film, {{.radius = 16.5e-6, .vx = 0.025}, {.radius = 16.5e-6, .x = 38e-6, .vx = -0.025}}, 3e-5}};
+          {"lubrication, explicit", 1, film, squeezed, 3e-5},
+          {"lubrication, implicit", 1, implicit_film, squeezed, 3e-5}};
 }
 
 }  // namespace

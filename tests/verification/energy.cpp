@@ -144,6 +144,11 @@ Group energy_of_a_cluster() {
     group.checks.push_back({"pack, " + name + ": dissipated + stored / energy at the start", 1,
                             (pack.series.dissipated.back() + energy_at(pack, pack.series.time.size() - 1)) / energy_at(pack, 0), 1e-12});
   }
+  Scene s = test::crowd_scene(5e-8);
+  s.lubrication.enabled = true;
+  s.time.integrator = Integrator::implicit_fluid;
+  const RunData cloud = audit(s, test::polydisperse_cloud(0.01), 2e-4, 400);
+  group.checks.push_back({"cloud, with implicit lubrication: largest fall of dissipated / energy", 0, largest_fall(cloud.series.dissipated) / energy_at(cloud, 0), 1e-3, false});
   return group;
 }
 

@@ -1,0 +1,130 @@
+// Cost of a whole step, and of its parts, in particle-steps per second. Timed, never judged:
+//   build/release/bin/bench_step [--benchmark_filter=...]
+#include <benchmark/benchmark.h>
+
+#include <memory>
+
+#include "dem/neighbours.hpp"
+#include "tests/benchmarks/scenes.hpp"
+
+namespace clog::test {
+namespace {
+
+/// A settled pack of 1000 times `across` times `up` spheres, made once and kept for all benchmarks.
+Simulation& pack(int across, int up) {
+  static std::map<std::pair<int, int>, std::unique_ptr<Simulation>> packs;
+  auto& found = packs[{across, up}];
+  if (!found) {
+    const ScratchFile file(as_csv(tiled_particles(across, up)));
+    found = std::make_unique<Simulation>(tiled_box(across, up, file.name()), nullptr, 1);
+    for (int k = 0; k < 200; ++k) found->compute_forces(), found->advance();
+    found->compute_forces();
+  }
+  return *found;
+}
+
+void count(benchmark::State& state, std::size_t items) {
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(items));
+}
+
+void whole_step(benchmark::State& state) {
+  Simulation& simulation = pack(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+  for (auto _ : state) {
+    simulation.compute_forces();
+    simulation.advance();
+  }
+  count(state, simulation.particles().size());
+}
+BENCHMARK(whole_step)->Args({1, 1})->Args({2, 5})->Args({10, 10})->Args({10, 100})->Unit(benchmark::kMicrosecond);
+
+/// Lists of a pack, ready for the hot loops.
+struct Lists {
+  Particles particles;
+  Neighbours neighbours;
+  ContactLaw law;
+  LubricationLaw film;
+  const Kernels& kernels = select_kernels();
+
+  explicit Lists(double lubrication) {
+    const Simulation& simulation = pack(1, 1);
+    particles = simulation.particles();
+    law = simulation.model().pair_law;
+    if (lubrication > 0) film = {1.8e-3, 0.01 * crowd_diameter, lubrication, false};
+    const double skin = 0.1 * crowd_diameter;
+    neighbours.rebuild(particles, {}, {skin, lubrication});
+    neighbours.sort(particles, 0.01 * skin, film);
+    kernels.pack(pointers(particles));
+  }
+
+  PairTask task() {
+    return {pointers(particles), neighbours.contacts.pointers(), law, film, 7e-8, neighbours.equal_radius,
+            neighbours.equal_mass};
+  }
+};
+
+void contacts(benchmark::State& state) {
+  Lists lists(0);
+  ContactTally tally;
+  for (auto _ : state) tally = lists.kernels.collide_pairs(lists.task(), {true, true, true});
+  count(state, static_cast<std::size_t>(tally.contacts));
+}
+BENCHMARK(contacts)->Unit(benchmark::kMicrosecond);
+
+/// Contacts and films; what the films cost is the difference to `contacts`.
+void contacts_and_films(benchmark::State& state) {
+  Lists lists(0.5 * crowd_diameter);
+  for (auto _ : state) lists.kernels.collide_pairs(lists.task(), {true, true, true});
+  count(state, lists.task().contacts.film_count);
+}
+BENCHMARK(contacts_and_films)->Unit(benchmark::kMicrosecond);
+
+void neighbour_build(benchmark::State& state) {
+  Lists lists(0);
+  for (auto _ : state) lists.neighbours.rebuild(lists.particles, {}, {0.1 * crowd_diameter, 0});
+  count(state, lists.particles.size());
+}
+BENCHMARK(neighbour_build)->Unit(benchmark::kMicrosecond);
+
+void candidate_sorting(benchmark::State& state) {
+  Lists lists(0);
+  for (auto _ : state) lists.neighbours.sort(lists.particles, 0.001 * crowd_diameter, lists.film);
+  count(state, lists.neighbours.first.size());
+}
+BENCHMARK(candidate_sorting)->Unit(benchmark::kMicrosecond);
+
+void wall_contacts(benchmark::State& state) {
+  const Simulation& simulation = pack(1, 1);
+  Particles particles = simulation.particles();
+  const Reach reach{0.1 * crowd_diameter, 0};
+  WallContacts walls(simulation.model().walls, crowd_diameter / 2, reach);
+  std::vector<int> same(particles.size());
+  for (std::size_t k = 0; k < same.size(); ++k) same[k] = static_cast<int>(k);
+  walls.rebuild(particles, same);
+  WallLaws laws = simulation.model().wall_laws;
+  laws.dt = 7e-8;
+  walls.sort(particles, 0.01 * reach.skin, laws.lubrication);
+  const Kernels& kernels = select_kernels();
+  kernels.pack(pointers(particles));
+  ContactTally tally;
+  for (auto _ : state) tally = walls.collide_planes(particles, kernels, laws);
+  count(state, static_cast<std::size_t>(tally.contacts));
+}
+BENCHMARK(wall_contacts)->Unit(benchmark::kMicrosecond);
+
+/// Nearest point of a grid of the paper's size.
+void drag_lookup(benchmark::State& state) {
+  Particles particles = pack(1, 1).particles();
+  const std::vector<float> velocity(3 * 640 * 160 * 40, 1e-3f);
+  const double one = 1;
+  std::vector<double> ux(particles.size()), uy(ux), uz(ux), drag(ux);
+  FlowTask task{pointers(particles), velocity.data(), {0, 0, 0}, 1 / 2.5e-6, {640, 160, 40}, 0, 1, 0,
+                &one, &one, ux.data(), uy.data(), uz.data(), drag.data()};
+  for (auto _ : state) select_kernels().sample_nearest(task);
+  count(state, particles.size());
+}
+BENCHMARK(drag_lookup)->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+}  // namespace clog::test
+
+BENCHMARK_MAIN();

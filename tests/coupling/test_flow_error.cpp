@@ -1,0 +1,48 @@
+#include "coupling/flow_error.hpp"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+#include "tests/coupling/refusal.hpp"
+
+namespace clog {
+namespace {
+
+FoamSamples samples(float error) {
+  FoamSamples result;
+  result.points = {200, 1, 1};
+  for (int i = 0; i < 200; ++i) {
+    result.velocity.push_back({1 + (i == 7 ? 10 : 1) * error, 0, 0});
+    result.found.push_back(i != 3);
+  }
+  return result;
+}
+
+// Errors e and 2^1.5 e of a quantity of order 1.5: the estimate is e itself.
+TEST(RichardsonError, IsExactForItsOrder) {
+  const double growth = std::pow(2, 1.5);
+  EXPECT_NEAR(richardson_error(1 + 1e-3, 1 + growth * 1e-3), 1e-3, 1e-5);
+  const float e = 1e-3f;
+  const VelocityError found =
+      richardson_error(samples(e), samples(static_cast<float>(growth) * e), 2);
+  EXPECT_NEAR(found.most, 0.5e-3, 1e-6);
+  // One of 199 points is off ten times as much.
+  EXPECT_NEAR(found.rms, 0.5e-3 * std::sqrt((198 + 100) / 199.0), 1e-6);
+  // There the order is 1/2: (2^1.5 - 1) / (2^0.5 - 1) times as much again.
+  EXPECT_NEAR(found.largest, 5e-3 * (growth - 1) / (std::sqrt(2) - 1), 1e-5);
+}
+
+TEST(RichardsonError, RefusesSamplesThatDoNotFit) {
+  FoamSamples other = samples(0);
+  other.points = {100, 2, 1};
+  EXPECT_THAT(refusal([&] { richardson_error(samples(0), other, 1); }),
+              testing::HasSubstr("at other points"));
+  other = samples(0);
+  other.found.assign(200, 0);
+  EXPECT_THAT(refusal([&] { richardson_error(samples(0), other, 1); }),
+              testing::HasSubstr("no point in common"));
+}
+
+}  // namespace
+}  // namespace clog
