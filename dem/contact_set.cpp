@@ -1,5 +1,7 @@
 #include "dem/contact_set.hpp"
 
+#include "dem/sound.hpp"
+
 namespace clog {
 
 void ContactSet::Rows::append(int one, int other, int number) {
@@ -57,6 +59,20 @@ ContactPointers ContactSet::pointers() {
   pointers.film_count = films_.count;
   pointers.watched_lubricate = watched_lubricate_;
   return pointers;
+}
+
+bool ContactSet::sound(std::size_t candidates, std::size_t firsts, std::size_t seconds) const {
+  const std::size_t moving = touching_.count + watched_.count;
+  if (moving < touching_.count || moving > candidates || films_.count > candidates) return false;
+  if (moving + films_.count == 0) return true;
+  const auto has_room = [](const auto& values, std::size_t rows) { return values.size() >= rows + widest_vector; };
+  const auto fit = [&](const Rows& rows, std::size_t room) {
+    return has_room(rows.first, room) && has_room(rows.second, room) && has_room(rows.candidate, room) &&
+           point_below(rows.first, firsts) && point_below(rows.second, seconds) &&
+           point_below(rows.candidate, candidates);
+  };
+  return fit(touching_, moving) && fit(watched_, moving) && fit(films_, films_.count) && has_room(changed_, moving) &&
+         std::all_of(spring_.begin(), spring_.end(), [&](const auto& values) { return has_room(values, moving); });
 }
 
 Springs<double> swapped(const Springs<double>& s) { return {-s.sliding, s.rolling, s.torsion}; }

@@ -5,6 +5,8 @@
 #include <functional>
 #include <numeric>
 
+#include "dem/sound.hpp"
+
 namespace clog {
 
 namespace {
@@ -68,13 +70,7 @@ std::vector<int> Neighbours::rebuild(Particles& p, const std::vector<std::uint8_
     for (int c = memory.start[first[k]]; c < memory.start[first[k] + 1]; ++c)
       if (memory.contacts[c].j == second[k])
         contacts.add(list, static_cast<int>(k), memory.contacts[c].springs);
-  const auto all_equal = [](const std::vector<double>& values) {
-    return std::ranges::adjacent_find(values, std::not_equal_to<>()) == values.end();
-  };
-  smallest_radius = p.size() > 0 ? *std::ranges::min_element(p.radius) : 0;
-  const bool equal = p.size() > 0 && all_equal(p.radius) && all_equal(p.mass);
-  equal_radius = equal ? p.radius[0] : 0;
-  equal_mass = equal ? p.mass[0] : 0;
+  measure(p);
   return renumbered;
 }
 
@@ -84,6 +80,21 @@ void Neighbours::sort(const Particles& p, double margin, const LubricationLaw& l
     const double dx = p.x[i] - p.x[j], dy = p.y[i] - p.y[j], dz = p.z[i] - p.z[j];
     return std::sqrt(dx * dx + dy * dy + dz * dz) - p.radius[i] - p.radius[j];
   });
+}
+
+void Neighbours::measure(const Particles& p) {
+  const auto all_equal = [](const std::vector<double>& values) {
+    return std::ranges::adjacent_find(values, std::not_equal_to<>()) == values.end();
+  };
+  smallest_radius = p.size() > 0 ? *std::ranges::min_element(p.radius) : 0;
+  const bool equal = p.size() > 0 && all_equal(p.radius) && all_equal(p.mass);
+  equal_radius = equal ? p.radius[0] : 0;
+  equal_mass = equal ? p.mass[0] : 0;
+}
+
+bool Neighbours::sound(std::size_t particles) const {
+  return first.size() == second.size() && (first.empty() || (point_below(first, particles) && point_below(second, particles))) &&
+         contacts.sound(first.size(), particles, particles);
 }
 
 }  // namespace clog

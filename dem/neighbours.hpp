@@ -36,9 +36,15 @@ public:
   double equal_radius = 0, equal_mass = 0;
   double smallest_radius = 0;
 
+  /// Finds these anew.
+  void measure(const Particles& particles);
+
+  /// Whether lists read from a file fit these many particles.
+  bool sound(std::size_t particles) const;
+
   template <class Archive>
   void exchange(Archive& archive) {
-    archive(first, second, contacts, equal_radius, equal_mass, smallest_radius);
+    archive(first, second, contacts);
   }
 };
 

@@ -38,6 +38,9 @@ struct Particles {
             passed);
   }
 
+  /// Whether particles read from a file have all their numbers, none of them impossible.
+  bool sound(double largest_radius) const;
+
   void add(const Particle& particle);
 
   /// Takes the particles in the given order; those not named are dropped.
