@@ -23,10 +23,6 @@ PorosityStrips::PorosityStrips(double start, double end, std::vector<double> vol
       volume_(std::move(volumes)),
       porosity_(volume_.size(), 1.0) {}
 
-int PorosityStrips::strip_at(double x) const {
-  return clamped_index((x - start_) / length_, static_cast<int>(volume_.size()));
-}
-
 void PorosityStrips::update(const Particles& p) {
   std::vector<double> solid(volume_.size(), 0.0);
   const double end = start_ + length_ * static_cast<double>(volume_.size());

@@ -48,7 +48,7 @@ void Simulation::check_resumed() const {
   demand(wrong.empty() && data_.provenance.is_object(), wrong.empty() ? "provenance" : wrong.c_str());
   demand(!watch_.friction_off() || !data_.releases.on.empty(), "release");
 
-  demand(finite_from_zero(drifted_, next_insertion_, next_porosity_, next_series_, next_snapshot_,
+  demand(finite_from_zero(drifted_, way_, margin_, drifted_when_sorted_, next_insertion_, next_porosity_, next_series_, next_snapshot_,
                           particle_steps_, seconds_, filling_.duration) &&
              std::isfinite(drag_work_) && std::isfinite(body_work_) && std::isfinite(energy_in_) &&
              (kick_ == 0 || kick_ == model_.dt || kick_ == model_.dt / 2),
