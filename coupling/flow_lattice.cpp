@@ -21,10 +21,9 @@ FlowLattice flow_lattice(const Scene& scene, const FlowMesh& mesh) {
   const auto index_at = [&](double x) { return x / h - 0.5; };
   FlowLattice lattice{};
   lattice.spacing = h;
-  lattice.x_begin = static_cast<int>(std::floor(index_at(channel_start(scene))));
   lattice.x_end = static_cast<int>(std::ceil(index_at(channel_end(scene)))) + 1;
-  lattice.x_sampled =
-      std::max(lattice.x_begin, static_cast<int>(std::floor(index_at(mesh.inlet()))) + 1);
+  lattice.x_sampled = static_cast<int>(std::floor(index_at(mesh.inlet()))) + 1;
+  lattice.x_begin = lattice.x_sampled - 1;
   lattice.half_width =
       static_cast<int>(std::ceil(std::max(g.channel_width, g.expansion_width) / 2 / h - 1e-6));
   lattice.y_sampled = mesh.sides() == 1 ? 0 : -lattice.half_width;

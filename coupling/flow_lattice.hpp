@@ -8,9 +8,10 @@
 
 namespace clog {
 
-/// Points ((i + 1/2) h, (j + 1/2) h, (k + 1/2) h), y mirrored about 0. They cover the channel from
-/// before its start to past its end. Simulated are z <= height/2, y > 0 where the channel is
-/// symmetric, and x behind the inlet of the mesh; the flow before it is developed.
+/// Points ((i + 1/2) h, (j + 1/2) h, (k + 1/2) h), y mirrored about 0. They reach from one plane
+/// before the inlet of the mesh, where the flow is developed, to past the end of the channel;
+/// further upstream the first plane stands for all. Simulated are z <= height/2 and, where the
+/// channel is symmetric, y > 0.
 struct FlowLattice {
   double spacing;      ///< h [m]
   int x_begin, x_end;  ///< range of i; x_end is past the last

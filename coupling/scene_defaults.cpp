@@ -67,10 +67,10 @@ void fill_flow(SceneDraft& draft) {
     need(draft, "flow.mean_velocity", reason);
     need(draft, "fluid.viscosity", reason);
     need(draft, "fluid.density", reason);
-    if (!draft.has("flow.mesh_cells_per_neck")) flow.mesh_cells_per_neck = 48;
-    // A whole number of layers, near 40 for each neck width.
+    if (!draft.has("flow.mesh_cells_per_neck")) flow.mesh_cells_per_neck = 52;
+    // A whole number of layers, near 50 for each neck width.
     if (!draft.has("flow.grid_spacing")) {
-      const double layers = std::round(40 * geometry.neck_height / geometry.neck_width);
+      const double layers = std::round(50 * geometry.neck_height / geometry.neck_width);
       flow.grid_spacing = geometry.neck_height / std::max(1.0, layers);
     }
   }

@@ -1,5 +1,7 @@
 #include "coupling/foam_samples.hpp"
 
+#include <cmath>
+
 #include <gmock/gmock.h>
 
 #include "coupling/flow_mesh.hpp"
@@ -14,8 +16,13 @@ namespace {
 using testing::HasSubstr;
 
 FlowLattice small_lattice() {
-  return {
-      .spacing = 1e-5, .x_begin = -3, .x_end = 2, .x_sampled = -2, .y_sampled = 0, .half_width = 2, .height = 4};
+  return {.spacing = 1e-5,
+          .x_begin = -3,
+          .x_end = 2,
+          .x_sampled = -2,
+          .y_sampled = 0,
+          .half_width = 2,
+          .height = 4};
 }
 
 std::string refusal_of(const std::string& text) {
@@ -124,6 +131,25 @@ TEST(GridFromSamples, RefusesASampleMissingInTheFluid) {
   samples.found[samples.index(3, 2, 1)] = 0;
   EXPECT_THAT(refusal([&] { grid_from_samples(scene, lattice, samples); }),
               HasSubstr("inside the fluid (the samples file is incomplete)"));
+}
+
+// u = x^2 / h^2: second difference 2, slope 2 i; v = 3 y / h: slope 3.
+TEST(LookupErrorOfAGrid, IsThatOfAParabolaAndALine) {
+  FlowGrid grid;
+  grid.points = {3, 3, 3};
+  grid.spacing = 1;
+  for (int k = 0; k < 3; ++k)
+    for (int j = 0; j < 3; ++j)
+      for (int i = 0; i < 3; ++i) {
+        for (const int u : {i * i, 3 * j, 0}) grid.velocity.push_back(static_cast<float>(u));
+        grid.solid.push_back(0);
+      }
+  const LookupError error = lookup_error(grid, 2);
+  EXPECT_NEAR(error.trilinear, 2.0 / 12 / 2, 1e-12);
+  EXPECT_NEAR(error.nearest, std::sqrt((4 + 9) / 12.0) / 2, 1e-12);
+  grid.solid[grid.index(0, 1, 1)] = 1;
+  EXPECT_EQ(lookup_error(grid, 2).nearest, 0)
+      << "beside a wall the fluid's own error is not defined";
 }
 
 }  // namespace

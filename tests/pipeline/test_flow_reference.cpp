@@ -140,9 +140,9 @@ TEST_F(FlowReference, VelocityThroughTheGrid) {
     });
   };
   const Deviation smooth = through(Lookup::trilinear);
-  EXPECT_LT(smooth.rms, 0.003);
+  EXPECT_LT(smooth.rms, 0.002);
   EXPECT_LT(smooth.largest, 0.02);
-  // The nearest point is up to half a spacing away: half of 2.5 um times 6 to 8 neck means per neck
+  // The nearest point is up to half a spacing away: half of 2 um times 6 to 8 neck means per neck
   // width.
   const Deviation nearest = through(Lookup::nearest);
   EXPECT_LT(nearest.rms, 0.025);
