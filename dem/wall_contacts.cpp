@@ -197,7 +197,7 @@ std::vector<WallContacts::Gap> WallContacts::gaps(const Particles& p, double wid
     const double width = distance - p.radius[i];
     if (width >= 0 && width <= widest) all.push_back({i, normal, width});
   };
-  for (std::size_t k = 0; k < slots_; ++k) {
+  for (std::size_t k = 0; k < slot_.size(); ++k) {
     const Vec3 normal(nx_[k], ny_[k], nz_[k]);
     add(particle_[k], normal, normal.dot(centre_of(p, particle_[k])) - offset_[k]);
   }
