@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "dem/flow_field.hpp"
+#include "dem/particles.hpp"
 
 namespace clog {
 namespace {
