@@ -2,6 +2,7 @@
 //   build/release/bin/bench_step [--benchmark_filter=...]
 #include <benchmark/benchmark.h>
 
+#include <map>
 #include <memory>
 
 #include "dem/neighbours.hpp"
