@@ -57,7 +57,8 @@ bool is_ordered(const std::vector<double>& times) {
          std::ranges::all_of(times, [](double t) { return std::isfinite(t); });
 }
 
-// What reader and writer both demand.
+}  // namespace
+
 std::string fault(const RunData& run) {
   std::string wrong;
   std::string_view table;
@@ -91,6 +92,8 @@ std::string fault(const RunData& run) {
   if (!std::isfinite(run.end_time)) return "/end_time is not finite";
   return {};
 }
+
+namespace {
 
 void write_porosity(Hdf5Writer& out, const std::vector<std::vector<double>>& rows) {
   std::vector<double> values;

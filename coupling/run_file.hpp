@@ -81,6 +81,9 @@ struct RunData {
   }
 };
 
+/// What makes the data impossible as the result of a run, or an empty text.
+std::string fault(const RunData& run);
+
 /// Writes beside, flushes, renames; an XDMF file for the snapshots beside it. \throws Error
 void write_run_file(const RunData& run, const std::filesystem::path& file);
 

@@ -1,5 +1,7 @@
 #include "dem/contact_set.hpp"
 
+#include "dem/sound.hpp"
+
 namespace clog {
 
 void ContactSet::reset(std::size_t candidates) {
@@ -35,6 +37,26 @@ ContactPointers ContactSet::pointers() {
   pointers.position = position_.data();
   pointers.count = &count_;
   return pointers;
+}
+
+bool ContactSet::sound(std::size_t candidates, std::size_t firsts, std::size_t seconds) const {
+  if (position_.size() != candidates || count_ > candidates) return false;
+  if (candidates == 0) return true;
+  const std::size_t padded = candidates + widest_vector;
+  const auto fits = [&](const auto& values) { return values.size() == padded; };
+  if (!std::all_of(spring_.begin(), spring_.end(), fits)) return false;
+  for (const auto* indices : {&first_, &second_, &candidate_, &film_first, &film_second})
+    if (!fits(*indices)) return false;
+  // Each contact knows its candidate and each candidate its contact.
+  for (std::size_t k = 0; k < count_; ++k) {
+    const int c = candidate_[k];
+    if (c < 0 || static_cast<std::size_t>(c) >= candidates || position_[c] != static_cast<int>(k))
+      return false;
+  }
+  const auto touching = std::count_if(position_.begin(), position_.end(), [](int at) { return at != -1; });
+  return static_cast<std::size_t>(touching) == count_ && point_below(first_, firsts) &&
+         point_below(film_first, firsts) && point_below(second_, seconds) &&
+         point_below(film_second, seconds);
 }
 
 Springs<double> swapped(const Springs<double>& s) { return {-s.sliding, s.rolling, s.torsion}; }

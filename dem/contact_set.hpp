@@ -33,6 +33,10 @@ public:
 
   ContactPointers pointers();
 
+  /// Whether a set read from a file fits `candidates` and points at nothing beyond these many particles,
+  /// or particles and planes.
+  bool sound(std::size_t candidates, std::size_t firsts, std::size_t seconds) const;
+
   template <class Archive>
   void exchange(Archive& archive) {
     for (auto& values : spring_) archive(values);

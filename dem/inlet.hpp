@@ -33,6 +33,12 @@ public:
   std::int64_t inserted() const { return next_id_; }
   std::int64_t refused() const { return refused_; }  ///< attempts that found no room
 
+  /// Whether counts read from a file are counts.
+  bool sound() const {
+    constexpr std::int64_t most = std::int64_t{1} << 60;
+    return next_id_ >= 0 && next_id_ < most && refused_ >= 0 && refused_ < most && fed_ >= 0 && fed_ < most;
+  }
+
   template <class Archive>
   void exchange(Archive& archive) {
     archive(next_id_, refused_, fed_);

@@ -10,6 +10,7 @@
 #include "coupling/stl.hpp"
 #include "dem/physics/porosity.hpp"
 #include "dem/physics/time_step.hpp"
+#include "dem/wall_mesh.hpp"
 
 namespace clog {
 
@@ -88,6 +89,22 @@ void enclose(Domain& domain, const Walls& walls) {
       domain.low = domain.low.cwiseMin(corner), domain.high = domain.high.cwiseMax(corner);
 }
 
+/// Walls from a file, refused under its name if they are no surface.
+Walls file_walls(const std::string& file, std::string& note) {
+  const Walls walls = read_stl(file);
+  try {
+    const auto rims = open_rims(join_walls(walls));
+    if (!rims.empty())
+      note = fmt::format("{}: the walls are open along {} rim{}, the shortest {:.3g} m around at ({:.4g}, {:.4g}, "
+                         "{:.4g}) m: a particle that leaves the walls' extent there ends the run",
+                         file, rims.size(), rims.size() > 1 ? "s" : "", rims[0].length, rims[0].place.x(),
+                         rims[0].place.y(), rims[0].place.z());
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", file, error.what()));
+  }
+  return walls;
+}
+
 /// Walls and limits: the box of a laboratory, the file's walls, or the parametric channel with a
 /// closed left end, so that no particle leaves against the flow.
 void build_walls(Model& model, const FlowGrid* flow) {
@@ -107,7 +124,7 @@ void build_walls(Model& model, const FlowGrid* flow) {
     model.domain.outlet = channel_end(s);
     model.domain.passage = s.passages.plane;
   } else {
-    const Walls stl = read_stl(s.geometry.stl);
+    const Walls stl = file_walls(s.geometry.stl, model.walls_note);
     model.walls.insert(model.walls.end(), stl.begin(), stl.end());
     enclose(model.domain, model.walls);
     if (flow) model.domain.outlet = model.domain.high.x();

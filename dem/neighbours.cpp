@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "dem/sound.hpp"
+
 namespace clog {
 
 namespace {
@@ -77,6 +79,16 @@ std::vector<int> Neighbours::rebuild(Particles& p, const std::vector<std::uint8_
         contacts.add(static_cast<int>(k), first[k], second[k],
                      memory.contacts[c].springs);
   return renumbered;
+}
+
+bool Neighbours::sound(std::size_t particles) const {
+  // Before they are made for the first time the lists have no padding.
+  const auto fits = [&](const std::vector<int>& indices, std::size_t used) {
+    return (used == 0 || (particles > 0 && indices.size() == used + widest_vector)) &&
+           point_below(indices, particles);
+  };
+  return fits(first, count) && fits(second, count) && fits(far_first, far_count) &&
+         fits(far_second, far_count) && contacts.sound(count, particles, particles);
 }
 
 }  // namespace clog

@@ -32,6 +32,9 @@ public:
   std::size_t far_count = 0;
   ContactSet contacts;
 
+  /// Whether lists read from a file fit these many particles.
+  bool sound(std::size_t particles) const;
+
   template <class Archive>
   void exchange(Archive& archive) {
     archive(first, second, far_first, far_second, contacts, count, far_count);

@@ -131,6 +131,8 @@ NetworkLimit::Bound NetworkLimit::bound() const {
     if (least.particle >= 0 && stable(i, least.step)) continue;
     // The trace is no smaller than the largest eigenvalue, so this step is stable.
     double low = stable_step(k, c), high = 2 * low;
+    // A stiffness beyond all numbers: no step is stable, and no search would end.
+    if (!(low > 0)) return {0, static_cast<int>(i)};
     for (; stable(i, high) && high < never; high *= 2) low = high;
     if (high >= never) continue;
     while (high > (1 + resolution) * low) {

@@ -1,5 +1,7 @@
 #include "dem/particles.hpp"
 
+#include "dem/sound.hpp"
+
 namespace clog {
 
 namespace {
@@ -12,6 +14,14 @@ void gather(std::vector<T>& values, const std::vector<int>& order) {
 }
 
 }  // namespace
+
+bool Particles::sound(double largest_radius) const {
+  for (const auto* values : {&radius, &mass, &inertia, &x, &y, &z, &vx, &vy, &vz, &wx, &wy, &wz, &fx, &fy,
+                             &fz, &tx, &ty, &tz})
+    if (values->size() != size() || !all_finite(*values)) return false;
+  return passed.size() == size() && all_positive(radius) && all_positive(mass) && all_positive(inertia) &&
+         std::all_of(radius.begin(), radius.end(), [&](double r) { return r <= largest_radius; });
+}
 
 void Particles::add(const Particle& p) {
   id.push_back(p.id);

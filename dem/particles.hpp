@@ -37,6 +37,9 @@ struct Particles {
     archive(id, radius, mass, inertia, x, y, z, vx, vy, vz, wx, wy, wz, fx, fy, fz, tx, ty, tz, passed);
   }
 
+  /// Whether particles read from a file have all their numbers, none of them impossible.
+  bool sound(double largest_radius) const;
+
   void add(const Particle& particle);
 
   /// Takes the particles in the given order; those not named are dropped.

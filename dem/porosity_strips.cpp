@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "coupling/require.hpp"
+#include "dem/clamped_index.hpp"
 #include "dem/physics/porosity.hpp"
 
 namespace clog {
@@ -23,8 +24,7 @@ PorosityStrips::PorosityStrips(double start, double end, std::vector<double> vol
       porosity_(volume_.size(), 1.0) {}
 
 int PorosityStrips::strip_at(double x) const {
-  const int last = static_cast<int>(volume_.size()) - 1;
-  return std::clamp(static_cast<int>(std::floor((x - start_) / length_)), 0, last);
+  return clamped_index((x - start_) / length_, static_cast<int>(volume_.size()));
 }
 
 void PorosityStrips::update(const Particles& p) {
@@ -49,6 +49,11 @@ void PorosityStrips::update(const Particles& p) {
             "contact.youngs_modulus or use fewer strips",
             porosity_[k], k + 1, solid.size(), least_porosity);
   }
+}
+
+bool PorosityStrips::sound() const {
+  return porosity_.size() == volume_.size() &&
+         std::all_of(porosity_.begin(), porosity_.end(), [](double e) { return std::isfinite(e) && e >= least_porosity; });
 }
 
 double PorosityStrips::packing_fraction() const {

@@ -30,6 +30,9 @@ public:
   /// Solid volume over volume, all strips together [-].
   double packing_fraction() const;
 
+  /// Whether porosities read from a file are those of these strips.
+  bool sound() const;
+
   template <class Archive>
   void exchange(Archive& archive) {
     archive(porosity_);

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "coupling/archive.hpp"
 #include "coupling/require.hpp"
 #include "dem/initial_particles.hpp"
 #include "dem/quantile.hpp"
@@ -26,12 +25,6 @@ constexpr double tap_duration = 0.23;
 /// Steps between two calls of the watcher.
 constexpr std::int64_t watch_every = 256;
 
-double largest_radius(const Model& model, const Particles& particles) {
-  double radius = model.scene.inlet.enabled ? model.scene.particles.diameter / 2 : 0;
-  for (double r : particles.radius) radius = std::max(radius, r);
-  return radius;
-}
-
 }  // namespace
 
 Simulation::Simulation(const Scene& scene, const FlowGrid* flow, std::uint64_t seed)
@@ -52,7 +45,9 @@ Simulation::Simulation(const Scene& scene, const FlowGrid* flow, std::uint64_t s
     particle.wx = given.wx, particle.wy = given.wy, particle.wz = given.wz;
     particles_.add(particle);
   }
-  walls_ = WallContacts(model_.walls, largest_radius(model_, particles_), model_.reach);
+  largest_radius_ = scene.inlet.enabled ? scene.particles.diameter / 2 : 0;
+  for (double r : particles_.radius) largest_radius_ = std::max(largest_radius_, r);
+  walls_ = WallContacts(model_.walls, largest_radius_, model_.reach);
   data_.seed = seed;
   data_.scene_text = effective_scene(scene);
   if (flow) data_.provenance["flow_hash"] = flow->hash;
@@ -154,7 +149,7 @@ void Simulation::set_walls(bool gate_closed) {
   gate_closed_ = gate_closed;
   Walls walls = model_.walls;
   if (gate_closed) walls.insert(walls.end(), model_.gate.begin(), model_.gate.end());
-  walls_.change(walls, largest_radius(model_, particles_), particles_);
+  walls_.change(walls, largest_radius_, particles_);
   lists_stale_ = true;
 }
 
@@ -162,19 +157,6 @@ void Simulation::count_seconds() {
   const std::chrono::duration<double> since = Clock::now() - clock_;
   seconds_ += since.count();
   clock_ = Clock::now();
-}
-
-std::string Simulation::save() {
-  count_seconds();
-  ArchiveWriter archive;
-  exchange(archive);
-  return archive.bytes();
-}
-
-void Simulation::resume(const std::string& state) {
-  ArchiveReader archive(state);
-  exchange(archive);
-  require(archive.at_end(), "a saved state is longer than it should be");
 }
 
 void Simulation::compute_forces() {

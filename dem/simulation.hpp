@@ -82,6 +82,11 @@ private:
     double stage_began = 0, last_insertion = 0, next_look = 0;  ///< [s]
     double duration = 0;                                        ///< of the whole filling [s]
     bool at_rest = true;                                        ///< when the gate opened
+
+    template <class Archive>
+    void exchange(Archive& archive) {
+      archive(stage, taps, stage_began, last_insertion, next_look, duration, at_rest);
+    }
   };
 
   void begin_filling();
@@ -102,6 +107,7 @@ private:
   AdvanceTask advance_task();
   /// The first kick leads from time 0 to half a step; all later ones from half step to half step.
   double next_kick() const { return kick_ == 0 ? model_.dt / 2 : model_.dt; }
+  void check_resumed() const;  ///< \throws Error unless a state read is one that a run can have
   void find_passages();
   void set_friction(bool on);
   void sample_series();
@@ -116,10 +122,11 @@ private:
   void exchange(Archive& archive) {
     archive(gate_closed_);
     if (Archive::loading && gate_closed_) set_walls(true);
-    archive(random_, inlet_, watch_, particles_, neighbours_, walls_, fluid_, pair_law_, wall_law_,
-            data_, step_, kick_, drifted_, lists_stale_, next_insertion_, next_porosity_, next_series_,
+    archive(random_, inlet_, watch_, particles_, neighbours_, walls_, fluid_, data_,
+            step_, kick_, drifted_, lists_stale_, next_insertion_, next_porosity_, next_series_,
             next_snapshot_, particle_steps_, drag_work_, body_work_, energy_in_, filling_,
             step_watch_, seconds_);
+    if (Archive::loading) set_friction(filling_.stage != Filling::Stage::tap && !watch_.friction_off());
   }
 
   Model model_;
@@ -134,6 +141,7 @@ private:
   ContactLaw pair_law_, wall_law_;  // as of now: without friction during a release
   ContactTally pair_tally_, wall_tally_;
   std::vector<std::uint8_t> leaving_;
+  double largest_radius_ = 0;  // of any particle that will be [m]
   RunData data_;
   std::int64_t step_ = 0;
   double kick_ = 0;            // dt, or dt/2 in the very first step: the velocities given are at x_0

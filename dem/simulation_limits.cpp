@@ -95,6 +95,7 @@ void Simulation::announce_step() {
   const StepLimits limits = expected_limits(model_, read_initial_particles(model_.scene));
   data_.provenance["step_limits"] = describe(limits, model_.dt);
   if (say_) say_(describe(limits, model_.dt));
+  if (say_ && !model_.walls_note.empty()) say_(model_.walls_note);
   if (const std::string warning = check_step(limits, model_); say_ && !warning.empty()) say_(warning);
 }
 

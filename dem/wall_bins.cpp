@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dem/clamped_index.hpp"
+
 namespace clog {
 
 namespace {
@@ -36,9 +38,7 @@ WallBins::WallBins(const Walls& walls, double reach) {
 
 std::array<int, 3> WallBins::cell_of(const Vec3& place) const {
   std::array<int, 3> cell{};
-  for (int a = 0; a < 3; ++a)
-    cell[a] = std::clamp(static_cast<int>(std::floor((place[a] - low_[a]) / edge_)), 0,
-                         count_[a] - 1);
+  for (int a = 0; a < 3; ++a) cell[a] = clamped_index((place[a] - low_[a]) / edge_, count_[a]);
   return cell;
 }
 

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "dem/physics/lubrication.hpp"
+#include "dem/sound.hpp"
 
 namespace clog {
 
@@ -54,12 +55,12 @@ ContactGeometry<double> geometry(const Particles& p, int i, const Vec3& normal, 
 }  // namespace
 
 WallContacts::WallContacts(const Walls& walls, double radius, const Reach& reach)
-    : surface_(walls), bins_(walls, radius + reach.lubrication + reach.skin), reach_(reach) {}
+    : surface_(walls), bins_(surface_.triangles(), radius + reach.lubrication + reach.skin), reach_(reach) {}
 
 void WallContacts::change(const Walls& walls, double radius, const Particles& particles) {
   corner_touches_ = touches(particles);
   surface_ = WallSurface(walls);
-  bins_ = WallBins(walls, radius + reach_.lubrication + reach_.skin);
+  bins_ = WallBins(surface_.triangles(), radius + reach_.lubrication + reach_.skin);
   particle_.clear();
   slots_ = 0;
   contacts_.reset(0);
@@ -211,6 +212,24 @@ std::vector<WallContacts::Gap> WallContacts::gaps(const Particles& p, double wid
     for (const WallPoint& wall : found) add(i, wall.normal, wall.distance);
   }
   return all;
+}
+
+bool WallContacts::sound(std::size_t particles) const {
+  const auto is_particle = [&](int i) { return i >= 0 && static_cast<std::size_t>(i) < particles; };
+  const auto fits = [&](const auto& values) { return values.size() == slots_ + widest_vector; };
+  if (slots_ > 0) {
+    for (const auto* values : {&nx_, &ny_, &nz_, &offset_})
+      if (!fits(*values)) return false;
+    if (particles == 0 || !fits(particle_) || !fits(slot_) || !point_below(particle_, particles) ||
+        !point_below(slot_, slots_))
+      return false;
+  }
+  return contacts_.sound(slots_, particles, slots_) &&
+         std::all_of(corners_.begin(), corners_.end(), [&](const Corner& c) {
+           return is_particle(c.particle) && (c.triangles.empty() || point_below(c.triangles, surface_.size()));
+         }) &&
+         std::all_of(corner_touches_.begin(), corner_touches_.end(),
+                     [&](const Touch& t) { return is_particle(t.particle); });
 }
 
 double WallContacts::stored_energy(const Particles& p, const ContactLaw& law) const {

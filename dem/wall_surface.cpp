@@ -3,18 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
-#include "coupling/require.hpp"
 #include "dem/closest_point.hpp"
+#include "dem/wall_mesh.hpp"
 
 namespace clog {
 
 namespace {
 
-/// Corners closer than this share of the surface's size are one corner; normals closer than this are
-/// parallel. Files store coordinates with 7 digits or more.
-constexpr double weld_share = 1e-7;
+/// Normals closer than this are parallel. Files store coordinates with 7 digits or more.
+constexpr double same_normal = 1e-7;
 
 /// A triangle that comes closer by less than this share touches at the same place to rounding.
 constexpr double same_distance = 1e-12;
@@ -29,52 +27,13 @@ double distance_to_segment(const std::array<Vec3, 2>& segment, const Vec3& point
   return (segment[0] + share * along - point).norm();
 }
 
-/// Welds corners that coincide: numbers them through a grid of the weld length, looking into the
-/// neighbouring cells so that no pair is missed at a cell's border.
-class Weld {
-public:
-  explicit Weld(double length) : length_(length) {}
-
-  int number(const Vec3& corner) {
-    const auto cell = [&](int a) { return static_cast<long>(std::floor(corner[a] / length_)); };
-    for (long x = cell(0) - 1; x <= cell(0) + 1; ++x)
-      for (long y = cell(1) - 1; y <= cell(1) + 1; ++y)
-        for (long z = cell(2) - 1; z <= cell(2) + 1; ++z) {
-          const auto found = cells_.find({x, y, z});
-          if (found != cells_.end() && (corners_[found->second] - corner).norm() <= length_)
-            return found->second;
-        }
-    corners_.push_back(corner);
-    const int id = static_cast<int>(corners_.size()) - 1;
-    cells_[{cell(0), cell(1), cell(2)}] = id;
-    return id;
-  }
-
-  std::size_t size() const { return corners_.size(); }
-
-private:
-  double length_;
-  std::vector<Vec3> corners_;
-  std::map<std::array<long, 3>, int> cells_;
-};
-
 }  // namespace
 
-WallSurface::WallSurface(const Walls& walls) : triangles_(walls) {
-  Vec3 low = Vec3::Constant(1e300), high = Vec3::Constant(-1e300);
-  for (const Triangle& t : triangles_)
-    for (const Vec3& corner : t.corner) low = low.cwiseMin(corner), high = high.cwiseMax(corner);
-  const double size = triangles_.empty() ? 1 : (high - low).norm();
-  Weld weld(weld_share * size);
-  for (std::size_t k = 0; k < triangles_.size(); ++k) {
-    const Triangle& t = triangles_[k];
-    const double area = (t.corner[1] - t.corner[0]).cross(t.corner[2] - t.corner[0]).norm() / 2;
-    require(area > weld_share * weld_share * size * size,
-            "walls: triangle {} has no area (a degenerate facet): remove it", k);
-    corner_.push_back({weld.number(t.corner[0]), weld.number(t.corner[1]),
-                       weld.number(t.corner[2])});
-  }
-  around_.resize(weld.size());
+WallSurface::WallSurface(const Walls& walls) {
+  WallMesh mesh = join_walls(walls);
+  triangles_ = std::move(mesh.triangles);
+  corner_ = std::move(mesh.corner);
+  around_.resize(mesh.corners);
   for (std::size_t t = 0; t < corner_.size(); ++t)
     for (int corner : corner_[t]) around_[corner].push_back(static_cast<int>(t));
   find_patches();
@@ -98,7 +57,7 @@ void WallSurface::find_patches() {
     patch.offset = patch.normal.dot(triangles_[seed].corner[0]);
     patch_[seed] = id;
     const auto joins = [&](int t) {
-      return (normal_of(triangles_[t]) - patch.normal).norm() < weld_share;
+      return (normal_of(triangles_[t]) - patch.normal).norm() < same_normal;
     };
     for (std::size_t next = 0; next < patch.triangles.size(); ++next) {
       const int t = patch.triangles[next];

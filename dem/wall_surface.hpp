@@ -23,7 +23,7 @@ struct WallPatch {
   std::vector<std::array<Vec3, 2>> border;  ///< edges that do not lie inside the patch
 };
 
-/// Triangles welded at common corners. A contact is a local minimum of the distance to the whole
+/// Triangles joined at common corners and edges. A contact is a local minimum of the distance to the whole
 /// surface: the closest point of a triangle counts unless a triangle that shares its edge or corner
 /// comes closer, and coinciding points count once. So the result does not depend on how a flat wall
 /// is cut into triangles, and nothing jumps where a sphere crosses an edge.
@@ -35,6 +35,8 @@ public:
   const std::vector<WallPatch>& patches() const { return patches_; }
   int patch_of(int triangle) const { return patch_[triangle]; }
   std::size_t size() const { return triangles_.size(); }
+  /// As they were cut, see WallMesh: the numbers of all functions here.
+  const Walls& triangles() const { return triangles_; }
 
   /// Distance of a point to a triangle [m].
   double distance(int triangle, const Vec3& centre) const;
@@ -50,9 +52,9 @@ public:
 private:
   void find_patches();
 
-  std::vector<Triangle> triangles_;
-  std::vector<std::array<int, 3>> corner_;     // welded corner numbers of each triangle
-  std::vector<std::vector<int>> around_;       // triangles at each welded corner
+  Walls triangles_;
+  std::vector<std::array<int, 3>> corner_;     // corner numbers of each triangle
+  std::vector<std::vector<int>> around_;       // triangles at each corner
   std::vector<int> patch_;
   std::vector<WallPatch> patches_;
 };

@@ -26,5 +26,38 @@ TEST(Model, RefusesMoreParticlesThanAnyCoreFinishes) {
               HasSubstr("the channel would hold"));
 }
 
+/// A floor, as an STL file, with one more facet.
+std::string floor_file(const std::string& more = "") {
+  return "solid s\nfacet\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendfacet\n" + more + "endsolid s\n";
+}
+
+Scene on_walls(const ScratchFile& file) {
+  Scene scene = laboratory_scene({}, 1e-4);
+  scene.geometry.present = true;
+  scene.geometry.stl = file.name();
+  return scene;
+}
+
+TEST(Model, SaysWhereWallsFromAFileAreOpen) {
+  const ScratchFile file(floor_file(), ".stl");
+  EXPECT_THAT(make_model(on_walls(file), nullptr, {}).walls_note,
+              testing::AllOf(HasSubstr(file.name() + ": the walls are open along 1 rim, the shortest 3.41 m around"),
+                             testing::Not(HasSubstr("\n"))));
+  std::vector<std::string> said;
+  Simulation simulation(on_walls(file), nullptr, 1);
+  simulation.on_note([&](const std::string& line) { said.push_back(line); });
+  simulation.run();
+  EXPECT_THAT(said, testing::Contains(HasSubstr("the walls are open")));
+}
+
+TEST(Model, RefusesWallsThatAreNoSurfaceUnderTheFilesName) {
+  const ScratchFile twice(floor_file("facet\nvertex 1 0 0\nvertex 0 1 0\nvertex 0 0 0\nendfacet\n"), ".stl");
+  EXPECT_THAT(refusal([&] { make_model(on_walls(twice), nullptr, {}); }),
+              HasSubstr(twice.name() + ": walls: triangle 2 has the corners of triangle 1"));
+  const ScratchFile flat(floor_file("facet\nvertex 1 0 0\nvertex 2 0 0\nvertex 3 0 0\nendfacet\n"), ".stl");
+  EXPECT_THAT(refusal([&] { make_model(on_walls(flat), nullptr, {}); }),
+              HasSubstr(flat.name() + ": walls: triangle 2 has no area"));
+}
+
 }  // namespace
 }  // namespace clog::test

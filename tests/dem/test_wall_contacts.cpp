@@ -102,6 +102,41 @@ TEST(WallForce, IsConstantOverCoplanarEdges) {
     }
 }
 
+/// The floor, half of it coarse, half of it fine: the fine half's corners hang on the coarse one's edge.
+Walls floor_with_hanging_corners() {
+  Walls walls, fine;
+  add_quad(walls, {-1, -1, 0}, {0, -1, 0}, {0, 1, 0}, {-1, 1, 0});
+  add_quad(fine, {0, -1, 0}, {1, -1, 0}, {1, 1, 0}, {0, 1, 0});
+  for (const Triangle& t : cut_in_four(cut_in_four(fine))) walls.push_back(t);
+  return walls;
+}
+
+TEST(WallForce, IsConstantOverHangingCorners) {
+  Probe probe(floor_with_hanging_corners());
+  const double expected = probe.hertz(overlap);
+  // Along the line on which they hang, across it, and at a slant.
+  for (const Vec3& way : {Vec3(0, 1, 0), Vec3(1, 0, 0), Vec3(1, 0.37, 0)})
+    for (double s = -0.6; s < 0.6; s += 1.7e-3) {
+      const Vec3 force = probe.force_with_new_lists(s * way + Vec3(0, 0, r - overlap));
+      ASSERT_EQ(probe.contacts(), 1) << s;
+      ASSERT_LT((force - Vec3(0, 0, expected)).norm(), no_jump * expected) << s;
+    }
+}
+
+TEST(WallForce, IsConstantOverAConvexEdgeWithHangingCorners) {
+  const double angle = M_PI / 3;
+  Walls walls = bent_plate(-angle, 1);
+  const Walls fine = cut_in_four(cut_in_four({walls.begin() + 2, walls.end()}));
+  walls.resize(2);
+  walls.insert(walls.end(), fine.begin(), fine.end());
+  Probe probe(walls);
+  const double expected = probe.hertz(overlap);
+  for (double s = -0.08; s < 0.2; s += 1.3e-4) {
+    const Pose pose = over_edge(s, angle);
+    ASSERT_LT((probe.force_with_new_lists(pose.centre) - expected * pose.normal).norm(), no_jump * expected) << s;
+  }
+}
+
 TEST(WallForce, IsConstantAlongAReentrantCorner) {
   // In the corner of floor and slope, deep in both: two contacts, on through all triangle borders.
   const double angle = M_PI / 3, height = r - overlap;

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "dem/closest_point.hpp"
+#include "dem/wall_mesh.hpp"
 #include "dem/wall_surface.hpp"
 #include "tests/coupling/refusal.hpp"
 #include "tests/dem/wall_shapes.hpp"
@@ -118,6 +119,81 @@ TEST(WallSurface, ResultDoesNotDependOnTheTriangulation) {
   }
 }
 
+/// Every second triangle cut, its neighbours not: corners hang on the edges of those.
+Walls cut_here_and_there(const Walls& walls, std::mt19937& random) {
+  Walls finer;
+  for (const Triangle& t : walls) {
+    const Walls parts = random() % 2 ? cut_in_four({t}) : Walls{t};
+    finer.insert(finer.end(), parts.begin(), parts.end());
+  }
+  return finer;
+}
+
+TEST(WallSurface, ResultDoesNotDependOnHangingCorners) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> across(-0.3, 0.3), height(0.02, 0.12);
+  for (const double angle : {-M_PI / 3, 0.0, M_PI / 3, -M_PI / 2}) {
+    const Walls coarse = bent_plate(angle, 1);
+    const WallSurface whole(coarse);
+    const WallSurface fine(cut_here_and_there(cut_here_and_there(cut_in_four(cut_in_four(coarse)), random), random));
+    for (int k = 0; k < 2000; ++k) {
+      const double x = across(random);
+      const double ground = x > 0 && angle > -1.5 ? x * std::tan(angle) : 0;
+      expect_same_contacts(whole, fine, {x, across(random), ground + height(random)});
+    }
+  }
+}
+
+TEST(WallSurface, AHangingCornerCutsTheTriangleItHangsOn) {
+  // Two small squares beside a large one: their common corner lies on its edge.
+  Walls walls;
+  add_quad(walls, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0});
+  add_quad(walls, {1, 0, 0}, {2, 0, 0}, {2, 0.5, 0}, {1, 0.5, 0});
+  add_quad(walls, {1, 0.5, 0}, {2, 0.5, 0}, {2, 1, 0}, {1, 1, 0});
+  const WallSurface surface(walls);
+  EXPECT_EQ(surface.size(), 7u);
+  EXPECT_EQ(surface.patches().size(), 1u);
+  double area = 0;
+  for (const Triangle& t : surface.triangles())
+    area += (t.corner[1] - t.corner[0]).cross(t.corner[2] - t.corner[0]).z() / 2;
+  EXPECT_NEAR(area, 2, 1e-15);
+}
+
+TEST(WallSurface, RefusesATriangleThatComesTwice) {
+  Walls walls = floor_plate(1);
+  const auto [a, b, c] = walls[0].corner;
+  walls.push_back({{c, a, b}});
+  EXPECT_THAT(refusal([&] { WallSurface surface(walls); }),
+              testing::HasSubstr("triangle 3 has the corners of triangle 1: remove one of them"));
+  walls.back() = {{b, a, c}};  // seen from the other side
+  EXPECT_THAT(refusal([&] { WallSurface surface(walls); }), testing::HasSubstr("triangle 3"));
+}
+
+TEST(WallSurface, FindsWhereItIsOpen) {
+  EXPECT_EQ(open_rims(join_walls(floor_plate(1))).size(), 1u);
+  EXPECT_DOUBLE_EQ(open_rims(join_walls(floor_plate(1)))[0].length, 8);
+  Walls tube;
+  const std::array<Vec3, 4> turn{Vec3(0, 0, 0), Vec3(0, 1, 0), Vec3(0, 1, 1), Vec3(0, 0, 1)};
+  const Vec3 along(3, 0, 0);
+  for (int k = 0; k < 4; ++k)
+    add_quad(tube, turn[k], turn[(k + 1) % 4], turn[(k + 1) % 4] + along, turn[k] + along);
+  EXPECT_EQ(open_rims(join_walls(tube)).size(), 2u);
+  EXPECT_EQ(open_rims(join_walls(cut_in_four(tube))).size(), 2u);
+  add_quad(tube, turn[0], turn[3], turn[2], turn[1]);
+  Walls box = tube;
+  add_quad(box, turn[0] + along, turn[1] + along, turn[2] + along, turn[3] + along);
+  EXPECT_TRUE(open_rims(join_walls(box)).empty());
+  // A facet is missing in the upper side, away from the end: a hole of its own, the shorter one.
+  Walls holed = cut_in_four(cut_in_four(tube));
+  const Triangle gone = cut_in_four(cut_in_four({tube[4]}))[15];
+  std::erase_if(holed, [&](const Triangle& t) { return t.corner == gone.corner; });
+  const auto rims = open_rims(join_walls(holed));
+  ASSERT_EQ(rims.size(), 2u);
+  const auto& [a, b, c] = gone.corner;
+  EXPECT_DOUBLE_EQ(rims[0].length, (b - a).norm() + (c - b).norm() + (a - c).norm());
+  EXPECT_DOUBLE_EQ(rims[1].length, 4);
+}
+
 TEST(WallSurface, FindsFlatPatches) {
   EXPECT_EQ(WallSurface(cut_in_four(floor_plate(1))).patches().size(), 1u);
   EXPECT_EQ(WallSurface(bent_plate(0.5, 1)).patches().size(), 2u);
@@ -127,7 +203,7 @@ TEST(WallSurface, RefusesADegenerateFacet) {
   Walls walls = floor_plate(1);
   walls.push_back({{Vec3(0, 0, 0), Vec3(1, 1, 1), Vec3(2, 2, 2)}});
   EXPECT_THAT(refusal([&] { WallSurface surface(walls); }),
-              testing::HasSubstr("triangle 2 has no area"));
+              testing::HasSubstr("triangle 3 has no area (a degenerate facet): remove it"));
 }
 
 }  // namespace

@@ -7,5 +7,5 @@ clog_tests(test_killed
 target_compile_definitions(test_killed PRIVATE CLOG_PROGRAM="$<TARGET_FILE:clog>")
 add_dependencies(test_killed clog)
 clog_tests(test_scene_limits
-  SOURCES faults/test_scene_bounds.cpp faults/test_corner_cases.cpp faults/test_found_by_fuzzing.cpp
+  SOURCES faults/test_scene_bounds.cpp faults/test_corner_cases.cpp faults/test_found_by_fuzzing.cpp faults/test_forged_states.cpp
   LIBRARIES clog_dem LABELS faults)

@@ -1,10 +1,8 @@
-// The binary seeds, small: a flow file, a run file, a state; into the folder given.
-#include "coupling/archive.hpp"
+// The binary seeds, small: a flow file, a run file, states of a run; into the folder given.
 #include "coupling/flow_grid.hpp"
 #include "coupling/publish_file.hpp"
 #include "coupling/run_file.hpp"
-#include "dem/particles.hpp"
-#include "dem/random.hpp"
+#include "tests/fuzz/resumed_channel.hpp"
 
 namespace {
 
@@ -40,6 +38,15 @@ clog::RunData small_run() {
   return run;
 }
 
+/// States from the beginning of the filling to the end, some of them with friction off.
+void save_states(const std::filesystem::path& folder) {
+  clog::Simulation& run = *clog::fuzz::new_run();
+  int looks = 0;
+  run.run([&](const clog::Progress&) {
+    if (looks++ % 12 == 0) clog::publish_file(run.save(), folder / std::to_string(looks));
+  });
+}
+
 }  // namespace
 
 int main(int, char** arguments) {
@@ -48,12 +55,5 @@ int main(int, char** arguments) {
   clog::RunData run = small_run();
   clog::write_run_file(run, folder / "run_file" / "small.h5");
   std::filesystem::remove(folder / "run_file" / "small.xmf");
-  clog::ArchiveWriter archive;
-  bool gate_closed = true;
-  clog::Random random(1);
-  clog::Particles particles;
-  particles.id = {1};
-  particles.x = {0.5};
-  archive(gate_closed, random, particles, run);
-  clog::publish_file(archive.bytes(), folder / "state" / "small");
+  save_states(folder / "resume");
 }
