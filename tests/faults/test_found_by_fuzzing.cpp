@@ -22,7 +22,7 @@ TEST(FoundByFuzzing, AMessageStaysOneLineWhateverItQuotes) {
 TEST(FoundByFuzzing, ASampleTooLargeForTheGridIsRefused) {
   const ScratchFolder folder;
   write_file(folder.path() / "quarter_U.xy", "5e-06 5e-06 5e-06 1e300 0 0\n");
-  const FlowLattice lattice{.spacing = 1e-5, .x_begin = -3, .x_end = 2, .x_sampled = -2, .half_width = 2, .height = 4};
+  const FlowLattice lattice{.spacing = 1e-5, .x_begin = -3, .x_end = 2, .x_sampled = -2, .y_sampled = 0, .half_width = 2, .height = 4};
   EXPECT_THAT(refusal([&] { read_foam_samples(folder.path() / "quarter_U.xy", lattice); }), HasSubstr("expected six finite numbers"));
 }
 
