@@ -112,12 +112,12 @@ bool NetworkLimit::stable(double dt) const {
 }
 
 double NetworkLimit::exact(const Bound& bound) const {
-  if (bound.particle < 0) return bound.step;
+  if (bound.particle < 0 || !(bound.step > 0)) return bound.step;
   double low = bound.step, high = 2 * low;
   for (; high < never && stable(high); high *= 2) low = high;
   if (high >= never) return std::numeric_limits<double>::infinity();
   while (high > (1 + exact_resolution) * low) {
-    const double middle = std::sqrt(low * high);
+    const double middle = std::sqrt(low) * std::sqrt(high);
     (stable(middle) ? low : high) = middle;
   }
   return low;
@@ -136,7 +136,7 @@ NetworkLimit::Bound NetworkLimit::bound() const {
     for (; stable(i, high) && high < never; high *= 2) low = high;
     if (high >= never) continue;
     while (high > (1 + resolution) * low) {
-      const double middle = std::sqrt(low * high);
+      const double middle = std::sqrt(low) * std::sqrt(high);
       (stable(i, middle) ? low : high) = middle;
     }
     least = {low, static_cast<int>(i)};
