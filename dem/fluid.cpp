@@ -18,6 +18,11 @@ void Fluid::evaluate(Particles& p) {
   // Per strip: 1 / eps, and f(eps) with the factor eps of the superficial velocity.
   const std::size_t strips = strips_.empty() ? 1 : strips_.porosity().size();
   std::vector<double> speed_up(strips, 1.0), factor(strips, 1.0);
+  for (std::size_t k = 0; k < strips_.porosity().size(); ++k) {
+    const double porosity = strips_.porosity()[k];
+    speed_up[k] = 1 / porosity;
+    factor[k] = voidage_function(porosity) * (superficial_ ? porosity : 1.0);
+  }
   for (double& share : factor) share *= stokes_coefficient(viscosity_, 2);  // per radius
   for (auto* values : {&ux_, &uy_, &uz_, &coefficient_}) values->resize(p.size());
   const StripPlace strip = strips_.place();

@@ -1,10 +1,13 @@
 // V0 from a grid: the nearest point, and a linear field that trilinear lookup must return exactly.
+#include <numbers>
 #include <random>
 
 #include <gtest/gtest.h>
 
 #include "dem/flow_field.hpp"
+#include "dem/fluid.hpp"
 #include "dem/particles.hpp"
+#include "tests/dem/laboratory.hpp"
 
 namespace clog {
 namespace {
@@ -93,6 +96,29 @@ TEST(FlowField, ManyPlacesAtOnceAsOneByOne) {
       EXPECT_EQ(uz[k], speed_up[strip] * u.z());
       EXPECT_EQ(drag[k], drag_per_radius[strip] * particles.radius[k]);
     }
+  }
+}
+
+/// Paper Eq. (4) by hand: half of the first strip is solid, eps = 0.5 and f = 20.515; the second is all but empty.
+TEST(Fluid, EveryStripHasItsPorosity) {
+  const FlowGrid grid = linear_grid();
+  const Scene scene = test::laboratory_scene({.diameter = 0.2}, 1e-6);
+  for (const FlowField& field : {FlowField(std::array<double, 3>{1, 2, 3}), FlowField(grid, Lookup::nearest)}) {
+    Scene s = scene;
+    s.fluid.viscosity = 0.5;
+    s.drag.enabled = true;
+    const double sphere = std::numbers::pi / 6 * 0.2 * 0.2 * 0.2;
+    Fluid fluid(s, field, PorosityStrips(-1, 1, {2 * sphere, 1e9 * sphere}));
+    Particles particles;
+    particles.add({.id = 0, .radius = 0.1, .x = -0.5, .y = 0, .z = 0.75});
+    particles.add({.id = 1, .radius = 0.1, .x = 0.5, .y = 0, .z = 0.75});
+    fluid.update_porosity(particles);
+    fluid.evaluate(particles);
+    const double stokes = 3 * std::numbers::pi * 0.5 * 0.2;
+    const Vec3 dense = at(field, {-0.5, 0, 0.75}), loose = at(field, {0.5, 0, 0.75});
+    EXPECT_NEAR(fluid.drag_force(0, {0, 0, 0}).x, 20.515 * stokes * dense.x() / 0.5, 1e-4 * 20.515 * stokes * dense.norm());
+    EXPECT_NEAR(fluid.drag_force(0, {0, 0, 0}).z, 20.515 * stokes * dense.z() / 0.5, 1e-4 * 20.515 * stokes * dense.norm());
+    EXPECT_NEAR(fluid.drag_force(1, {0, 0, 0}).x, stokes * loose.x(), 1e-4 * stokes * loose.norm());
   }
 }
 
