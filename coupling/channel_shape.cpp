@@ -189,6 +189,10 @@ double neck_start(const Scene& scene) {
   return tangent_length(g.neck_rounding, std::max(g.half_angle, angle_below(scene)));
 }
 
+double neck_mean_velocity(const Scene& scene) {
+  return scene.flow.mean_velocity * scene.geometry.channel_width / scene.geometry.neck_width;
+}
+
 double channel_width_at(const Scene& scene, double x) { return channel_shape(scene).width(x); }
 
 double channel_volume(const Scene& scene, double from, double to) {

@@ -69,6 +69,9 @@ double channel_end(const Scene& scene);
 /// x from which the neck has its width: 0, or the end of its rounded entrance [m].
 double neck_start(const Scene& scene);
 
+/// Mean velocity in the neck: the channel's flow rate over the neck's cross-section [m/s].
+double neck_mean_velocity(const Scene& scene);
+
 /// Width (extent along y) at x [m].
 double channel_width_at(const Scene& scene, double x);
 

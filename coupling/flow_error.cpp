@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "coupling/channel_shape.hpp"
 #include "coupling/flow_mesh.hpp"
 #include "coupling/foam_log.hpp"
 #include "coupling/require.hpp"
@@ -74,10 +75,8 @@ nlohmann::json mesh_error(const fs::path& folder, const Scene& scene, const Foam
           folder.string());
   require(fs::exists(coarse / "solved"), "{} is not solved; run {}", coarse.string(), run);
   const FlowLattice lattice = flow_lattice(scene, flow_mesh(scene));
-  const auto& g = scene.geometry;
-  const double neck_mean = scene.flow.mean_velocity * g.channel_width / g.neck_width;
-  const VelocityError velocity =
-      richardson_error(fine, read_foam_samples(foam_samples_file(coarse), lattice), neck_mean);
+  const VelocityError velocity = richardson_error(
+      fine, read_foam_samples(foam_samples_file(coarse), lattice), neck_mean_velocity(scene));
   const double drop = read_pressure_drop(folder), coarse_drop = read_pressure_drop(coarse);
   return {{"cells_per_neck", {scene.flow.mesh_cells_per_neck, other.flow.mesh_cells_per_neck}},
           {"velocity_rms", velocity.rms},

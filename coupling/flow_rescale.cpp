@@ -4,6 +4,7 @@
 #include <sstream>
 #include <string>
 
+#include "coupling/channel_shape.hpp"
 #include "coupling/require.hpp"
 
 namespace clog {
@@ -41,9 +42,8 @@ Scene scene_of(const FlowGrid& flow) {
 }  // namespace
 
 double neck_reynolds_number(const Scene& scene) {
-  const auto& g = scene.geometry;
-  const double speed = scene.flow.mean_velocity * g.channel_width / g.neck_width;
-  return scene.fluid.density * speed * g.neck_width / scene.fluid.viscosity;
+  return scene.fluid.density * neck_mean_velocity(scene) * scene.geometry.neck_width /
+         scene.fluid.viscosity;
 }
 
 RescaledFlow rescaled_flow(FlowGrid grid, const Scene& scene) {

@@ -223,8 +223,7 @@ FlowGrid map_flow(const fs::path& folder) {
   const nlohmann::json error = mesh_error(folder, scene, samples);
   if (!error.is_null()) grid.provenance["mesh_error"] = error;
   grid.provenance["grid_flux"] = grid_fluxes(grid, scene, lattice);
-  const LookupError lookup = lookup_error(
-      grid, scene.flow.mean_velocity * scene.geometry.channel_width / scene.geometry.neck_width);
+  const LookupError lookup = lookup_error(grid, neck_mean_velocity(scene));
   grid.provenance["lookup_error"] = {{"trilinear_rms", lookup.trilinear},
                                      {"nearest_rms", lookup.nearest}};
   grid.provenance["date"] = utc_now();

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "dem/clamped_index.hpp"
+#include "dem/grid_place.hpp"
 
 namespace clog {
 
@@ -22,13 +22,13 @@ Cells::Cells(const Particles& p, double size) {
     const auto [least, most] = std::minmax_element(axis[a]->begin(), axis[a]->end());
     const double span = p.size() ? *most - *least : 0;
     low[a] = p.size() ? *least : 0;
-    count_[a] = std::max(1, clamped_index(span / size, most_cells_per_axis + 1));
+    count_[a] = std::max(1, cell_number(span / size, most_cells_per_axis + 1));
     edge[a] = std::max(size, span / count_[a]);
   }
   const auto cell_of = [&](std::size_t i) {
     int c[3];
     for (int a = 0; a < 3; ++a)
-      c[a] = clamped_index(((*axis[a])[i] - low[a]) / edge[a], count_[a]);
+      c[a] = cell_number(((*axis[a])[i] - low[a]) / edge[a], count_[a]);
     return cell_index(c[0], c[1], c[2]);
   };
   std::vector<int> cell(p.size());

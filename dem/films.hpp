@@ -22,8 +22,9 @@ struct Film {
 /// sqrt(dt c) n^T D^(-1/2) of G per film: the normal equations of a sparse least-squares problem,
 /// for Eigen's conjugate gradients with Jacobi's preconditioner. Every force acts on both
 /// particles, so momentum is kept exactly however well the system is solved; the kick that follows
-/// finds v' again. \param step  forces without films, drag, body force, kick: what advance() is
-/// given, with implicit drag \throws Error if v' cannot be had to `film_accuracy`
+/// finds v' again.
+/// \param step  what advance() is given, with implicit drag; its forces still without the films
+/// \throws Error if v' cannot be had to `film_accuracy`
 void add_implicit_films(const AdvanceTask& step, const std::vector<Film>& films);
 
 /// Error of v' that is accepted, root mean square over that of all velocities. [-]

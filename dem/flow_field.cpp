@@ -5,13 +5,7 @@
 
 namespace clog {
 
-FlowField::FlowField(const FlowGrid& grid, Lookup lookup)
-    : velocity_(grid.velocity.data()),
-      origin_{grid.origin.x(), grid.origin.y(), grid.origin.z()},
-      points_(grid.points),
-      lookup_(lookup),
-      spacing_(grid.spacing),
-      per_spacing_(1 / grid.spacing) {
+FlowField::FlowField(const FlowGrid& grid, Lookup lookup) : grid_(&grid), lookup_(lookup) {
   double fastest2 = 0;
   for (std::size_t k = 0; k + 2 < grid.velocity.size(); k += 3) {
     const double u = grid.velocity[k], v = grid.velocity[k + 1], w = grid.velocity[k + 2];
@@ -20,21 +14,35 @@ FlowField::FlowField(const FlowGrid& grid, Lookup lookup)
   largest_speed_ = std::sqrt(fastest2);
 }
 
+std::array<double, 3> FlowField::at(double x, double y, double z) const {
+  if (!grid_) return uniform_;
+  const Vec3 place = (Vec3(x, y, z) - grid_->origin) * (1 / grid_->spacing);
+  return lookup_ == Lookup::nearest ? nearest(place) : trilinear(place);
+}
+
 bool FlowField::describe(FlowTask& task) const {
-  if (!velocity_ || lookup_ != Lookup::nearest) return false;
-  task.velocity = velocity_;
-  task.points_per_length = per_spacing_;
-  for (int a = 0; a < 3; ++a) task.origin[a] = origin_[a], task.points[a] = points_[a];
+  if (!grid_ || lookup_ != Lookup::nearest) return false;
+  task.velocity = grid_->velocity.data();
+  task.points_per_length = 1 / grid_->spacing;
+  for (int a = 0; a < 3; ++a) task.origin[a] = grid_->origin[a], task.points[a] = grid_->points[a];
   return true;
 }
 
-std::array<double, 3> FlowField::trilinear(const std::array<double, 3>& place) const {
+std::array<double, 3> FlowField::nearest(const Vec3& place) const {
+  int at[3];
+  for (int a = 0; a < 3; ++a)
+    at[a] = static_cast<int>(nearest_point(place[a], grid_->points[a] - 1.0));
+  const float* u = point(at[0], at[1], at[2]);
+  return {u[0], u[1], u[2]};
+}
+
+std::array<double, 3> FlowField::trilinear(const Vec3& place) const {
   int low[3], high[3];
   double share[3];
   for (int a = 0; a < 3; ++a) {
-    const double inside = std::clamp(place[a], 0.0, points_[a] - 1.0);
+    const double inside = place_within(place[a], grid_->points[a] - 1.0);
     low[a] = static_cast<int>(inside);
-    high[a] = std::min(low[a] + 1, points_[a] - 1);
+    high[a] = std::min(low[a] + 1, grid_->points[a] - 1);
     share[a] = inside - low[a];
   }
   std::array<double, 3> velocity{};
@@ -49,8 +57,8 @@ std::array<double, 3> FlowField::trilinear(const std::array<double, 3>& place) c
 }
 
 std::array<double, 3> FlowField::half_vorticity(double x, double y, double z) const {
-  if (!velocity_) return {0, 0, 0};
-  const double h = spacing_;
+  if (!grid_) return {0, 0, 0};
+  const double h = grid_->spacing;
   const auto slope = [&](double dx, double dy, double dz) {
     const auto ahead = at(x + dx, y + dy, z + dz), behind = at(x - dx, y - dy, z - dz);
     return std::array<double, 3>{(ahead[0] - behind[0]) / (2 * h), (ahead[1] - behind[1]) / (2 * h),

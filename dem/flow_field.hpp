@@ -22,8 +22,8 @@ public:
   /// V0 [m/s]
   std::array<double, 3> at(double x, double y, double z) const;
 
-  /// Fills in the grid for the fast lookup. \return whether it has one: a grid read by its nearest
-  /// point
+  /// Fills in the grid for the lookup of many places at once.
+  /// \return whether there is one: a grid that is read by its nearest point
   bool describe(FlowTask& task) const;
 
   /// Half the curl of V0, the spin of a lone sphere carried along, by central differences over one
@@ -34,35 +34,16 @@ public:
   double largest_speed() const { return largest_speed_; }
 
 private:
-  std::array<double, 3> nearest(const std::array<double, 3>& place) const;
-  std::array<double, 3> trilinear(const std::array<double, 3>& place) const;
+  std::array<double, 3> nearest(const Vec3& place) const;
+  std::array<double, 3> trilinear(const Vec3& place) const;
   const float* point(int i, int j, int k) const {
-    return velocity_ + 3 * (i + points_[0] * (j + points_[1] * static_cast<std::ptrdiff_t>(k)));
+    return grid_->velocity.data() + 3 * grid_->index(i, j, k);
   }
 
-  const float* velocity_ = nullptr;  // of a grid: x fastest
-  std::array<double, 3> origin_{};
-  std::array<int, 3> points_{};
+  const FlowGrid* grid_ = nullptr;
   Lookup lookup_ = Lookup::nearest;
   std::array<double, 3> uniform_{};
-  double largest_speed_ = 0, spacing_ = 1, per_spacing_ = 1;
+  double largest_speed_ = 0;
 };
-
-// Inline: asked for every particle in every step.
-
-inline std::array<double, 3> FlowField::at(double x, double y, double z) const {
-  if (!velocity_) return uniform_;
-  const std::array<double, 3> place{(x - origin_[0]) * per_spacing_,
-                                    (y - origin_[1]) * per_spacing_,
-                                    (z - origin_[2]) * per_spacing_};
-  return lookup_ == Lookup::nearest ? nearest(place) : trilinear(place);
-}
-
-inline std::array<double, 3> FlowField::nearest(const std::array<double, 3>& place) const {
-  int at[3];
-  for (int a = 0; a < 3; ++a) at[a] = static_cast<int>(nearest_point(place[a], points_[a] - 1.0));
-  const float* u = point(at[0], at[1], at[2]);
-  return {u[0], u[1], u[2]};
-}
 
 }  // namespace clog

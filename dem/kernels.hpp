@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "dem/grid_place.hpp"
 #include "dem/physics/contact.hpp"
-#include "dem/physics/grid_place.hpp"
 
 namespace clog {
 

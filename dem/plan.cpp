@@ -39,13 +39,13 @@ void judge_fluid(const Scene& s, const Judge& term) {
   const bool drag = s.drag.enabled;
   if (g.present && v > 0) {
     const double duct = reynolds_number(s.fluid.density, v, g.neck_height, s.fluid.viscosity);
-    const double neck = duct * g.channel_width / g.neck_width;
+    const double neck_speed = neck_mean_velocity(s);
+    const double neck = reynolds_number(s.fluid.density, neck_speed, g.neck_height, s.fluid.viscosity);
     term({"fluid inertia in the channel", "Re = rho v D / eta", duct, duct > 0.1, true,
           "simpleFoam solves Navier-Stokes"});
     term({"fluid inertia in the neck", "Re at the neck's mean velocity", neck, neck > 0.1, true,
           "below 0.1 one Stokes field serves all flow rates"});
-    const double slip = reynolds_number(s.fluid.density, v * g.channel_width / g.neck_width,
-                                        sphere.diameter, s.fluid.viscosity);
+    const double slip = reynolds_number(s.fluid.density, neck_speed, sphere.diameter, s.fluid.viscosity);
     term({"inertial drag, lift, added mass", "Re_p = rho v_neck d / eta", slip, slip > 1, false,
           "the drag law holds for Re_p << 1"});
     term({"gravity", "settling velocity / v", settling_ratio(sphere, v),
@@ -89,9 +89,7 @@ void find_limits(const Scene& s, const Model& model, Plan& plan) {
   plan.dt = model.dt;
   plan.limits = expected_limits(model, read_initial_particles(s));
   if (s.geometry.present && s.flow.mean_velocity > 0)
-    plan.way_limit = 0.01 * s.particles.diameter /
-                     (s.flow.mean_velocity * s.geometry.channel_width / s.geometry.neck_width /
-                      pack_porosity);
+    plan.way_limit = 0.01 * s.particles.diameter / (neck_mean_velocity(s) / pack_porosity);
 }
 
 void estimate_cost(const Scene& s, const Model& model, Plan& plan) {

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "coupling/require.hpp"
-#include "dem/clamped_index.hpp"
 #include "dem/physics/porosity.hpp"
 
 namespace clog {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "dem/grid_place.hpp"
 #include "dem/particles.hpp"
-#include "dem/physics/grid_place.hpp"
 
 namespace clog {
 

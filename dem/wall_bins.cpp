@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dem/clamped_index.hpp"
+#include "dem/grid_place.hpp"
 
 namespace clog {
 
@@ -38,7 +38,7 @@ WallBins::WallBins(const Walls& walls, double reach) {
 
 std::array<int, 3> WallBins::cell_of(const Vec3& place) const {
   std::array<int, 3> cell{};
-  for (int a = 0; a < 3; ++a) cell[a] = clamped_index((place[a] - low_[a]) / edge_, count_[a]);
+  for (int a = 0; a < 3; ++a) cell[a] = cell_number((place[a] - low_[a]) / edge_, count_[a]);
   return cell;
 }
 

@@ -1,4 +1,4 @@
-// Files that a test writes: in a folder of its own process, since tests run beside each other.
+// Files that a test writes: in folders of its own process, since tests run beside each other.
 #pragma once
 
 #include <unistd.h>
@@ -8,23 +8,32 @@
 
 namespace clog {
 
-/// Made at the first call, gone when the process ends.
+/// A folder of its own that goes away with its owner.
+class ScratchFolder {
+public:
+  ScratchFolder() {
+    static int number = 0;
+    path_ = std::filesystem::temp_directory_path() /
+            ("clogflow_test_" + std::to_string(getpid()) + "_" + std::to_string(++number));
+    std::filesystem::remove_all(path_);
+    std::filesystem::create_directories(path_);
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+private:
+  std::filesystem::path path_;
+};
+
+/// One for all tests of a process, gone when it ends.
 inline const std::filesystem::path& scratch_folder() {
-  struct Folder {
-    Folder()
-        : path(std::filesystem::temp_directory_path() /
-               ("clogflow_test_" + std::to_string(getpid()))) {
-      std::filesystem::remove_all(path);
-      std::filesystem::create_directories(path);
-    }
-    ~Folder() {
-      std::error_code ignored;
-      std::filesystem::remove_all(path, ignored);
-    }
-    std::filesystem::path path;
-  };
-  static const Folder folder;
-  return folder.path;
+  static const ScratchFolder folder;
+  return folder.path();
 }
 
 }  // namespace clog

@@ -23,19 +23,14 @@ struct Whole {
   const Lanes x = load_part(place[0], used);
   const Whole strip(
       place_within((x - Lanes(task.strip_start)) * Lanes(task.strips_per_length), task.last_strip));
-  // The number of the point is below 2^53, so doubles hold it exactly.
-  Lanes index(0.0);
-  for (int a = 2; a >= 0; --a) {
-    const Lanes along =
-        (load_part(place[a], used) - Lanes(task.origin[a])) * Lanes(task.points_per_length);
-    const Whole point(nearest_point(along, task.points[a] - 1.0));
-    index = index * Lanes(static_cast<double>(task.points[a])) +
-            Lanes([&](auto k) { return point.at[k]; });
-  }
+  const auto nearest = [&](int a) {
+    const Lanes along = (load_part(place[a], used) - Lanes(task.origin[a])) * Lanes(task.points_per_length);
+    return Whole(nearest_point(along, task.points[a] - 1.0));
+  };
+  const Whole i_x = nearest(0), i_y = nearest(1), i_z = nearest(2);
   std::ptrdiff_t at[lanes];
-  double numbers[lanes];
-  store_lanes(numbers, index);
-  for (int k = 0; k < lanes; ++k) at[k] = 3 * static_cast<std::ptrdiff_t>(numbers[k]);
+  for (int k = 0; k < lanes; ++k)
+    at[k] = 3 * (i_x.at[k] + task.points[0] * (i_y.at[k] + task.points[1] * static_cast<std::ptrdiff_t>(i_z.at[k])));
   const Lanes speed_up = load(task.speed_up, strip.at);
   const auto component = [&](int c) {
     return speed_up * Lanes([&](auto k) { return static_cast<double>(task.velocity[at[k] + c]); });

@@ -6,9 +6,9 @@
 #include <string>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "coupling/scene.hpp"
+#include "tests/scratch.hpp"
 
 namespace clog {
 
@@ -37,28 +37,6 @@ seeds = "1"
 )",
                      "flow scene", overrides);
 }
-
-/// A folder of its own that goes away with the test.
-class ScratchFolder {
-public:
-  ScratchFolder() {
-    // There is no test yet where a whole suite is set up.
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    const std::string name =
-        test ? std::string(test->test_suite_name()) + "_" + test->name() : "suite";
-    path_ = std::filesystem::temp_directory_path() /
-            ("clogflow_" + name + "_" + std::to_string(getpid()));
-    std::filesystem::remove_all(path_);
-    std::filesystem::create_directories(path_);
-  }
-  ~ScratchFolder() { std::filesystem::remove_all(path_); }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
-private:
-  std::filesystem::path path_;
-};
 
 inline void write_file(const std::filesystem::path& file, const std::string& text) {
   std::filesystem::create_directories(file.parent_path());

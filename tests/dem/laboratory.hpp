@@ -8,11 +8,11 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "coupling/require.hpp"
 #include "coupling/scene.hpp"
 #include "dem/simulation.hpp"
+#include "tests/scratch.hpp"
 
 namespace clog::test {
 
@@ -57,8 +57,7 @@ class ScratchFile {
 public:
   explicit ScratchFile(const std::string& text, const std::string& ending = ".csv") {
     static int number = 0;
-    path_ = std::filesystem::temp_directory_path() /
-            fmt::format("clogflow_{}_{}{}", getpid(), ++number, ending);
+    path_ = scratch_folder() / fmt::format("{}{}", ++number, ending);
     std::ofstream(path_, std::ios::binary) << text;
   }
   ~ScratchFile() { std::filesystem::remove(path_); }
