@@ -15,6 +15,7 @@
 #include "coupling/flow_rescale.hpp"
 #include "coupling/require.hpp"
 #include "dem/ensemble.hpp"
+#include "dem/step_limit.hpp"
 
 namespace clog::cli {
 namespace {
@@ -53,8 +54,10 @@ Prepared prepare(const RunOptions& options) {
     }
   }
   // What is wrong with the scene is wrong for every seed: say it once, before any run begins.
-  make_model(prepared.scene, prepared.flow ? &*prepared.flow : nullptr,
-             read_initial_particles(prepared.scene));
+  const std::vector<Particle> initial = read_initial_particles(prepared.scene);
+  const Model model =
+      make_model(prepared.scene, prepared.flow ? &*prepared.flow : nullptr, initial);
+  check_step(expected_limits(model, initial), model);
   return prepared;
 }
 

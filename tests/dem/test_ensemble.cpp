@@ -103,11 +103,22 @@ TEST_F(EnsembleFiles, FinishedSeedsAreSkipped) {
 }
 
 TEST_F(EnsembleFiles, ASeedThatFailsIsReportedOnceAndTheRestRun) {
-  // A step far too long: every seed blows up, each with its line; the status says so.
-  const Outcome broken = run(mpirun(2), "broken", "--seeds 1-2 --set time.step='20 us'");
+  // A step far too long, wanted so: every seed blows up, each with its line; the status says so.
+  const Outcome broken =
+      run(mpirun(2), "broken", "--seeds 1-2 --set time.step='20 us' --set time.allow_unstable=true");
   EXPECT_NE(broken.status, 0);
   EXPECT_THAT(broken.text, HasSubstr("2 of 2 seeds failed"));
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "broken" / run_file_name(1)));
+}
+
+TEST_F(EnsembleFiles, AStepTooLongForTheSceneIsSaidOnceForAllSeeds) {
+  const Outcome refused = run(mpirun(2), "refused", "--seeds 1-9 --set time.step='20 us'");
+  EXPECT_NE(refused.status, 0);
+  const std::string what = "is unstable: ";
+  const auto first = refused.text.find(what);
+  ASSERT_NE(first, std::string::npos) << refused.text;
+  EXPECT_EQ(refused.text.find(what, first + 1), std::string::npos) << refused.text;
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "refused" / run_file_name(1)));
 }
 
 }  // namespace
