@@ -51,6 +51,18 @@ TEST(Passages, AreCountedOnceAtTheTimeOfCrossing) {
   EXPECT_EQ(run.passages.friction_off, (std::vector<std::uint8_t>{0, 0}));
 }
 
+// Lists last for 50 steps here: a crossing must be seen in its own step, not with the next lists.
+TEST(Passages, AreSeenInTheStepOfTheCrossing) {
+  const ScratchFile stl(far_triangles, ".stl");
+  const std::vector<double> way = {0.00251, 0.01234, 0.0199, 0.02577};
+  std::vector<Particle> slow;
+  for (double w : way) slow.push_back({.radius = 0.05, .x = 1 - w, .y = 200 * w, .vx = 0.01});
+  Laboratory lab(flight(stl), slow);
+  const RunData run = lab->run();
+  ASSERT_EQ(run.passages.id, (std::vector<std::int64_t>{0, 1, 2, 3}));
+  for (std::size_t k = 0; k < way.size(); ++k) EXPECT_NEAR(run.passages.time[k], way[k] / 0.01, 1e-9);
+}
+
 TEST(Passages, ASecondCrossingDoesNotCount) {
   const ScratchFile stl(far_triangles, ".stl");
   Scene s = flight(stl);
