@@ -1,5 +1,8 @@
 #include "dem/fluid.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "dem/physics/drag.hpp"
 
 namespace clog {
@@ -7,6 +10,7 @@ namespace clog {
 Fluid::Fluid(const Scene& scene, FlowField field, PorosityStrips strips)
     : field_(std::move(field)),
       strips_(std::move(strips)),
+      noise_(scene),
       viscosity_(scene.fluid.viscosity),
       kernels_(select_kernels()),
       drag_(scene.drag.enabled),
@@ -15,12 +19,13 @@ Fluid::Fluid(const Scene& scene, FlowField field, PorosityStrips strips)
 
 void Fluid::evaluate(Particles& p) {
   if (!drag_) return;
-  // Per strip: 1 / eps, and f(eps) with the factor eps of the superficial velocity.
+  const double pulse = noise_.pulsation();
+  // Per strip: 1 / eps, pulsating, and f(eps) with the factor eps of the superficial velocity.
   const std::size_t strips = strips_.empty() ? 1 : strips_.porosity().size();
-  std::vector<double> speed_up(strips, 1.0), factor(strips, 1.0);
+  std::vector<double> speed_up(strips, pulse), factor(strips, 1.0);
   for (std::size_t k = 0; k < strips_.porosity().size(); ++k) {
     const double porosity = strips_.porosity()[k];
-    speed_up[k] = 1 / porosity;
+    speed_up[k] = pulse / porosity;
     factor[k] = voidage_function(porosity) * (superficial_ ? porosity : 1.0);
   }
   for (double& share : factor) share *= stokes_coefficient(viscosity_, 2);  // per radius
@@ -50,12 +55,23 @@ void Fluid::evaluate(Particles& p) {
       coefficient_[i] = factor[k] * p.radius[i];
     }
   }
+  if (noise_.fluctuates()) add_fluctuation(p);
   if (!viscous_torque_) return;
   for (auto* values : {&turn_, &sx_, &sy_, &sz_}) values->resize(p.size());
   for (std::size_t i = 0; i < p.size(); ++i) {
     const auto spin = field_.half_vorticity(p.x[i], p.y[i], p.z[i]);
-    sx_[i] = spin[0], sy_[i] = spin[1], sz_[i] = spin[2];
+    sx_[i] = pulse * spin[0], sy_[i] = pulse * spin[1], sz_[i] = pulse * spin[2];
     turn_[i] = stokes_torque_coefficient(viscosity_, 2 * p.radius[i]);
+  }
+}
+
+void Fluid::add_fluctuation(const Particles& p) {
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const Vector<double> u{ux_[i], uy_[i], uz_[i]};
+    const Vector<double> slip = u - Vector<double>{p.vx[i], p.vy[i], p.vz[i]};
+    const double scale = std::sqrt(std::min(dot(slip, slip), dot(u, u)));
+    const auto factor = noise_.fluctuation(i);
+    ux_[i] += scale * factor[0], uy_[i] += scale * factor[1], uz_[i] += scale * factor[2];
   }
 }
 

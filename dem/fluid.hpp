@@ -5,6 +5,7 @@
 
 #include "coupling/scene.hpp"
 #include "dem/flow_field.hpp"
+#include "dem/fluid_noise.hpp"
 #include "dem/kernels.hpp"
 #include "dem/particles.hpp"
 #include "dem/porosity_strips.hpp"
@@ -24,6 +25,11 @@ public:
     if (!strips_.empty()) strips_.update(particles);
   }
 
+  /// Takes the random factors on the flow to the time given; costs nothing without any.
+  void fluctuate(const Particles& particles, std::uint64_t seed, double time) {
+    if (noise_.on()) noise_.advance(particles, seed, time);
+  }
+
   /// Fills velocity and drag of every particle. Does nothing when the scene has no drag.
   void evaluate(Particles& particles);
 
@@ -40,15 +46,19 @@ public:
 
   const FlowField& field() const { return field_; }
   const PorosityStrips& strips() const { return strips_; }
+  const FluidNoise& noise() const { return noise_; }
 
   template <class Archive>
   void exchange(Archive& archive) {
-    archive(strips_);
+    archive(strips_, noise_);
   }
 
 private:
+  void add_fluctuation(const Particles& particles);
+
   FlowField field_;
   PorosityStrips strips_;
+  FluidNoise noise_;
   double viscosity_;
   const Kernels& kernels_;
   bool drag_, superficial_, viscous_torque_;

@@ -172,8 +172,6 @@ void refuse_unbuilt(const Scene& s) {
   const auto unbuilt = [](bool asked, const char* key) {
     require(!asked, "{} is not modelled by this version: leave it out", key);
   };
-  unbuilt(s.flow.pulsation.strength != 0, "flow.pulsation");
-  unbuilt(s.drag.fluctuation.strength != 0, "drag.fluctuation");
   unbuilt(!s.fidelity.preset.empty(), "fidelity.preset");
   unbuilt(s.fidelity.tolerance != 0, "fidelity.tolerance");
 }

@@ -191,6 +191,8 @@ void Simulation::compute_forces() {
   const ContactTally corners = walls_.collide_corners(particles_, laws);
   wall_tally_.contacts += corners.contacts;
   wall_tally_.largest_overlap = std::max(wall_tally_.largest_overlap, corners.largest_overlap);
+  // The channel is filled and comes to rest in the mean flow.
+  if (!gate_closed_) fluid_.fluctuate(particles_, data_.seed, time());
   fluid_.evaluate(particles_);
   if (implicit_films) add_implicit_films(advance_task(), films());
 }

@@ -43,6 +43,7 @@ void Simulation::check_resumed() const {
   demand(neighbours_.sound(particles_.size()), "pair list");
   demand(walls_.sound(particles_.size()), "wall contacts");
   demand(fluid_.strips().sound(), "porosity");
+  demand(fluid_.noise().sound(), "random factors on the flow");
   demand(inlet_.sound(), "inlet");
   const std::string wrong = fault(data_);
   demand(wrong.empty() && data_.provenance.is_object(), wrong.empty() ? "provenance" : wrong.c_str());

@@ -12,8 +12,6 @@ using testing::HasSubstr;
 
 TEST(Model, RefusesWhatItDoesNotModel) {
   for (const auto& [overrides, key] : std::vector<std::pair<Overrides, std::string>>{
-           {{"flow.pulsation.strength=0.5", "flow.pulsation.time=1 ms"}, "flow.pulsation"},
-           {{"drag.fluctuation.strength=0.5", "drag.fluctuation.time=1 ms"}, "drag.fluctuation"},
            {{"fidelity.preset=fast"}, "fidelity.preset"},
            {{"fidelity.tolerance=0.05"}, "fidelity.tolerance"}}) {
     EXPECT_THAT(refusal([&] { make_model(short_channel_scene(overrides), nullptr, {}); }),
