@@ -15,6 +15,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", CLOG_VERSION);
   clog::cli::add_plan(app);
   clog::cli::add_case(app);
+  clog::cli::add_walls(app);
   clog::cli::add_map(app);
   clog::cli::add_run(app);
   clog::cli::add_fit(app);

@@ -28,8 +28,9 @@ void write_map(const MapOptions& options) {
              1e6 * grid.spacing, 100 * worst);
   const auto& lookup = grid.provenance["lookup_error"];
   fmt::print("reading it adds, in % of the neck's mean velocity: rms {:.2g} trilinear, {:.2g} nearest; "
-             "{:.3g} MB of memory\n",
+             "in the neck, walls included, {:.2g} and {:.2g}; {:.3g} MB of memory\n",
              100 * lookup["trilinear_rms"].get<double>(), 100 * lookup["nearest_rms"].get<double>(),
+             100 * lookup["trilinear_in_neck"].get<double>(), 100 * lookup["nearest_in_neck"].get<double>(),
              1e-6 * static_cast<double>(sizeof(float) * grid.velocity.size() + grid.solid.size()));
   if (!grid.provenance.contains("mesh_error")) return;
   const auto percent = [&](const char* key) {

@@ -8,6 +8,7 @@ namespace clog::cli {
 void add_plan(CLI::App& app);
 void add_case(CLI::App& app);
 void add_map(CLI::App& app);
+void add_walls(CLI::App& app);
 void add_run(CLI::App& app);
 void add_stats(CLI::App& app);
 void add_fit(CLI::App& app);

@@ -5,7 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "coupling/stl_channel.hpp"
 #include "coupling/units.hpp"
+#include "coupling/wall_sections.hpp"
 
 namespace clog {
 namespace {
@@ -172,6 +174,8 @@ std::string shape_fault(const Scene& scene) {
 }
 
 double narrowing_length(const Scene& scene) {
+  const auto& g = scene.geometry;
+  if (is_stl_channel(scene)) return -(g.inlet_position + g.channel_length);
   return std::max(narrowing(scene, scene.geometry.half_angle),
                   narrowing(scene, angle_below(scene)));
 }
@@ -181,11 +185,13 @@ double channel_start(const Scene& scene) {
 }
 
 double channel_end(const Scene& scene) {
+  if (is_stl_channel(scene)) return scene.geometry.outlet_position;
   return corners(scene, scene.geometry.half_angle, 0).back().x();
 }
 
 double neck_start(const Scene& scene) {
   const auto& g = scene.geometry;
+  if (is_stl_channel(scene)) return 0;
   return tangent_length(g.neck_rounding, std::max(g.half_angle, angle_below(scene)));
 }
 
@@ -196,6 +202,7 @@ double neck_mean_velocity(const Scene& scene) {
 double channel_width_at(const Scene& scene, double x) { return channel_shape(scene).width(x); }
 
 double channel_volume(const Scene& scene, double from, double to) {
+  if (is_stl_channel(scene)) return volume_between(read_stl_channel(scene).walls, from, to);
   const ChannelShape shape = channel_shape(scene);
   double area = 0;
   for (const ChannelSide* wall : {&shape.upper, &shape.lower}) {

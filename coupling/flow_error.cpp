@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "coupling/channel_shape.hpp"
-#include "coupling/flow_mesh.hpp"
+#include "coupling/flow_space.hpp"
 #include "coupling/foam_log.hpp"
 #include "coupling/require.hpp"
 #include "coupling/text_file.hpp"
@@ -69,14 +69,13 @@ nlohmann::json mesh_error(const fs::path& folder, const Scene& scene, const Foam
   if (!fs::exists(coarse)) return nullptr;
   const std::string run = (folder / "Allrun").string();
   const fs::path file = coarse / "scene.toml";
-  const Scene other = parse_scene(read_text_file(file), file.string());
+  const Scene other = read_scene(file);
   require(flow_inputs(other) == flow_inputs(coarser_scene(scene)),
           "{} is not the coarser case of {}; write the case again with --check", coarse.string(),
           folder.string());
   require(fs::exists(coarse / "solved"), "{} is not solved; run {}", coarse.string(), run);
-  const FlowLattice lattice = flow_lattice(scene, flow_mesh(scene));
-  const VelocityError velocity = richardson_error(
-      fine, read_foam_samples(foam_samples_file(coarse), lattice), neck_mean_velocity(scene));
+  const VelocityError velocity =
+      richardson_error(fine, read_flow_samples(coarse, flow_space(scene)), neck_mean_velocity(scene));
   const double drop = read_pressure_drop(folder), coarse_drop = read_pressure_drop(coarse);
   return {{"cells_per_neck", {scene.flow.mesh_cells_per_neck, other.flow.mesh_cells_per_neck}},
           {"velocity_rms", velocity.rms},

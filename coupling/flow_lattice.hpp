@@ -18,15 +18,20 @@ struct FlowLattice {
   int x_sampled;       ///< first i inside the mesh
   int y_sampled;       ///< first j inside the mesh: 0, or -half_width
   int half_width;      ///< j runs from -half_width to half_width - 1
-  int height;          ///< k runs from 0 to height - 1
+  int height;          ///< number of k
+  int z_begin = 0;     ///< first k
+  bool mirrored_in_z = true;  ///< simulated is the lower half alone
 
   double coordinate(int index) const { return (index + 0.5) * spacing; }  ///< [m]
 
   /// Numbers of sampled points along x, y, z; the plane z = height/2 included.
   std::array<int, 3> sampled() const {
-    return {x_end - x_sampled, half_width - y_sampled, (height + 1) / 2};
+    return {x_end - x_sampled, half_width - y_sampled, mirrored_in_z ? (height + 1) / 2 : height};
   }
 };
+
+/// \throws Error when flow.grid_spacing does not divide geometry.neck_height
+void require_layers(const Scene& scene);
 
 /// \throws Error when flow.grid_spacing does not divide geometry.neck_height
 FlowLattice flow_lattice(const Scene& scene, const FlowMesh& mesh);

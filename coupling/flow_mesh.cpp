@@ -83,7 +83,7 @@ double graded_edge(int edge, int cells, double grading) {
 FlowMesh flow_mesh(const Scene& scene) {
   const auto& g = scene.geometry;
   require(g.present, "the scene has no section [geometry]; a flow case needs one");
-  require(g.stl.empty(), "geometry.stl = {} (a flow case is made for the parametric channel only)",
+  require(g.stl.empty(), "geometry.stl = {} (not measured: a flow case needs geometry.neck_width and a scene file)",
           g.stl);
   const ChannelShape shape = channel_shape(scene);
   FlowMesh mesh{};

@@ -10,12 +10,15 @@
 #include "coupling/foam_dictionaries.hpp"
 #include "coupling/foam_mesh.hpp"
 #include "coupling/require.hpp"
+#include "coupling/snappy_mesh.hpp"
 #include "coupling/text_file.hpp"
 
 namespace clog {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* stl_copy = "geometry.stl";
 
 void write_text(const fs::path& file, const std::string& text) {
   std::ofstream out(file);
@@ -37,7 +40,10 @@ void remove_results(const fs::path& folder) {
       fs::remove_all(entry.path());
     }
   }
-  fs::remove_all(folder / "constant" / "polyMesh");
+  for (const char* name : {"polyMesh", "triSurface", "extendedFeatureEdgeMesh"})
+    fs::remove_all(folder / "constant" / name);
+  fs::remove(folder / stl_copy);
+  fs::remove(folder / "meshUnit");
 }
 
 // All that OpenFOAM will read, as text in a fixed order: a changed template or mesh is another
@@ -63,19 +69,40 @@ void refuse_foreign_folder(const fs::path& folder) {
           folder.string());
 }
 
+std::map<std::string, std::string> structured(const Scene& scene) {
+  const FlowMesh mesh = flow_mesh(scene);
+  const std::vector<std::string> names = station_names(mesh);
+  return {{"system/sceneDict", scene_dictionary(scene, flow_lattice(scene, mesh), {})},
+          {"system/blockMeshDict", block_mesh_dictionary(mesh, scene.geometry.neck_height / 2)},
+          {"system/topoSetDict", surfaces_dictionary(mesh)},
+          {"system/fluxDict", flux_dictionary(names)},
+          {"surfaces", surface_names(names)},
+          {"constant/inletProfile", inlet_profile(scene, mesh)}};
+}
+
+std::map<std::string, std::string> unstructured(const Scene& scene) {
+  const StlChannel channel = read_stl_channel(scene);
+  const SnappyMesh mesh = snappy_mesh(scene, channel);
+  auto files = snappy_files(scene, channel, mesh);
+  files["system/sceneDict"] =
+      scene_dictionary(scene, stl_lattice(scene, channel, mesh), snappy_sampling(mesh)) + snappy_entries(mesh);
+  files[stl_copy] = read_text_file(scene.geometry.stl);
+  return files;
+}
+
+// The case carries its walls, so that it can be moved and mapped anywhere.
+std::string case_scene(const Scene& scene) {
+  Scene here = scene;
+  if (is_stl_channel(scene)) here.geometry.stl = stl_copy;
+  return effective_scene(here);
+}
+
 FoamCaseState write_files(const Scene& scene, const fs::path& folder,
                           const fs::path& template_folder) {
   require(fs::exists(template_folder / "Allrun"),
           "no OpenFOAM template in {} (an incomplete source tree?)", template_folder.string());
-  const FlowMesh mesh = flow_mesh(scene);
-  const FlowLattice lattice = flow_lattice(scene, mesh);
-  const std::map<std::string, std::string> generated{
-      {"system/sceneDict", scene_dictionary(scene, lattice)},
-      {"system/blockMeshDict", block_mesh_dictionary(mesh, scene.geometry.neck_height / 2)},
-      {"system/topoSetDict", surfaces_dictionary(mesh)},
-      {"system/fluxDict", flux_dictionary(mesh)},
-      {"surfaces", surface_names(mesh)},
-      {"constant/inletProfile", inlet_profile(scene, mesh)}};
+  const std::map<std::string, std::string> generated =
+      is_stl_channel(scene) ? unstructured(scene) : structured(scene);
   const std::string hash = content_hash(flow_inputs(scene)) + "\n" +
                            content_hash(everything(template_folder, generated)) + "\n";
   const auto holds = [&](const char* name) {
@@ -88,8 +115,9 @@ FoamCaseState write_files(const Scene& scene, const fs::path& folder,
   remove_results(folder);
   fs::copy(template_folder, folder,
            fs::copy_options::recursive | fs::copy_options::overwrite_existing);
+  if (is_stl_channel(scene)) fs::create_directories(folder / "constant" / "triSurface");
   for (const auto& [name, text] : generated) write_text(folder / name, text);
-  write_text(folder / "scene.toml", effective_scene(scene));
+  write_text(folder / "scene.toml", case_scene(scene));
   write_text(folder / "hash", hash);
   return same ? FoamCaseState::unsolved : FoamCaseState::written;
 }

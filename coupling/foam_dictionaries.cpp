@@ -29,19 +29,21 @@ void add_flow(Dictionary& out, const Scene& scene) {
   out.add("kinematicViscosity", scene.fluid.viscosity / scene.fluid.density, "[m2/s]");
 }
 
-void add_samples(Dictionary& out, const FlowLattice& lattice) {
+void add_samples(Dictionary& out, const FlowLattice& lattice, const Sampling& sampling) {
   const auto [nx, ny, nz] = lattice.sampled();
-  const double h = lattice.spacing;
+  const double h = lattice.spacing / sampling.unit;
+  const auto before = [&](int index) { return (index - 0.5) * h; };
   // Of an odd number of layers one lies on the symmetry plane, where the search for its cell may
   // fail: all are lowered by a millionth of the spacing.
-  const double lower = lattice.height % 2 == 1 ? 1e-6 * h : 0;
-  out.head("Samples [m]: points at origin + i * span / (n + 1), i = 1 ... n");
+  const double lower = lattice.mirrored_in_z && lattice.height % 2 == 1 ? 1e-6 * h : 0;
+  out.head("Samples, in units of the mesh: points at origin + i * span / (n + 1), i = 1 ... n");
+  out.add("interpolation", sampling.interpolation);
   out.add("samplePointsX", nx);
   out.add("samplePointsY", ny);
   out.add("samplePointsZ", nz);
-  out.add("sampleOriginX", lattice.coordinate(lattice.x_sampled - 1));
-  out.add("sampleOriginY", lattice.coordinate(lattice.y_sampled - 1));
-  out.add("sampleOriginZ", -h / 2 - lower);
+  out.add("sampleOriginX", before(lattice.x_sampled));
+  out.add("sampleOriginY", before(lattice.y_sampled));
+  out.add("sampleOriginZ", before(lattice.z_begin) - lower);
   out.add("sampleSpanX", (nx + 1) * h);
   out.add("sampleSpanY", (ny + 1) * h);
   out.add("sampleSpanZ", (nz + 1) * h);
@@ -49,10 +51,10 @@ void add_samples(Dictionary& out, const FlowLattice& lattice) {
 
 }  // namespace
 
-std::string scene_dictionary(const Scene& scene, const FlowLattice& lattice) {
+std::string scene_dictionary(const Scene& scene, const FlowLattice& lattice, const Sampling& sampling) {
   Dictionary out;
   add_flow(out, scene);
-  add_samples(out, lattice);
+  add_samples(out, lattice, sampling);
   return out.text();
 }
 
@@ -76,7 +78,7 @@ std::string inlet_profile(const Scene& scene, const FlowMesh& mesh) {
   // Below the axis the rows run from the wall to the axis.
   for (int k = 0; k < mesh.cells_high && mesh.sides() == 2; ++k)
     for (int j = across; j > 0; --j) add_face(-y(j), -y(j - 1), k);
-  return fmt::format("value nonuniform List<vector> {}\n(\n",
+  return fmt::format("type fixedValue;\nvalue nonuniform List<vector> {}\n(\n",
                      static_cast<int>(mesh.sides()) * across * mesh.cells_high) +
          text + ");\n";
 }

@@ -9,10 +9,16 @@
 
 namespace clog {
 
-/// system/sceneDict: every number the template uses, SI units.
-std::string scene_dictionary(const Scene& scene, const FlowLattice& lattice);
+/// How OpenFOAM reads its solution at the points of the grid.
+struct Sampling {
+  double unit = 1;  ///< length that the mesh counts in while it is sampled [m]
+  const char* interpolation = "cellPointFace";
+};
 
-/// constant/inletProfile: the velocity [m/s] of each inlet face, in blockMesh's order (y
+/// system/sceneDict: every number the template uses, SI units.
+std::string scene_dictionary(const Scene& scene, const FlowLattice& lattice, const Sampling& sampling);
+
+/// constant/inletProfile: the condition at the inlet, the velocity [m/s] of each face, in blockMesh's order (y
 /// fastest, above the axis first).
 std::string inlet_profile(const Scene& scene, const FlowMesh& mesh);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "coupling/flow_mesh.hpp"
 
@@ -15,11 +16,14 @@ std::string block_mesh_dictionary(const FlowMesh& mesh, double half_height);
 /// the mass flux is known exactly.
 std::string surfaces_dictionary(const FlowMesh& mesh);
 
+/// Names of inlet, surfaces between blocks and outlet, downstream.
+std::vector<std::string> station_names(const FlowMesh& mesh);
+
 /// system/fluxDict: the function objects that write the volume flux through inlet, surfaces,
 /// outlet.
-std::string flux_dictionary(const FlowMesh& mesh);
+std::string flux_dictionary(const std::vector<std::string>& names);
 
-/// surfaces: their names downstream, one a line.
-std::string surface_names(const FlowMesh& mesh);
+/// surfaces: the names, one a line.
+std::string surface_names(const std::vector<std::string>& names);
 
 }  // namespace clog

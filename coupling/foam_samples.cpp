@@ -59,7 +59,7 @@ public:
   void add(std::string_view line, std::size_t number) {
     const Place place{file_, number};
     const auto values = six_numbers(line, place);
-    const std::array<int, 3> first{lattice_.x_sampled, lattice_.y_sampled, 0};
+    const std::array<int, 3> first{lattice_.x_sampled, lattice_.y_sampled, lattice_.z_begin};
     std::array<int, 3> at{};
     for (int axis = 0; axis < 3; ++axis) {
       at[axis] = lattice_index(values[axis], first[axis], lattice_);

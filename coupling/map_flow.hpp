@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "coupling/flow_grid.hpp"
+#include "coupling/flow_space.hpp"
 #include "coupling/foam_samples.hpp"
 #include "coupling/scene.hpp"
 
@@ -21,6 +22,10 @@ FlowGrid map_flow(const std::filesystem::path& folder);
 /// \throws Error when a point in the fluid has no sample
 FlowGrid grid_from_samples(const Scene& scene, const FlowLattice& lattice,
                            const FoamSamples& samples);
+
+/// The same for a channel from a file, where all is sampled; points beside curved walls that the mesh
+/// does not reach are solid. \throws Error when they are too many
+FlowGrid stl_grid_from_samples(const Scene& scene, const FlowSpace& space, const FoamSamples& samples);
 
 /// What reading between the points costs, root mean square over the points whose neighbours are all
 /// fluid, and over `speed` [-]. Trilinear: the mean over a cell of s (1 - s) / 2 = 1/12 of each

@@ -39,6 +39,7 @@ Scene read_scene(const std::filesystem::path& file, const Overrides& overrides) 
   SceneDraft draft = read_draft(text, file.string(), overrides);
   locate(draft, file.parent_path(), {"geometry.stl", &draft.scene.geometry.stl});
   locate(draft, file.parent_path(), {"particles.initial", &draft.scene.particles.initial});
+  measure_stl(draft);
   return finish(std::move(draft));
 }
 

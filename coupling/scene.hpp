@@ -43,6 +43,10 @@ struct Scene {
     double expansion_length = 0;  ///< its straight part [m]; default expansion_width
     double expansion_angle = 0;   ///< of its walls, from the flow axis [rad]; default half_angle
     std::string stl;            ///< walls from this file instead of the shape above; empty: none
+    double stl_unit = 0;        ///< length that the file counts in [m]; 0: metres
+    std::string stl_content;    ///< content hash of the file of a channel; empty: not a channel
+    double inlet_position = 0;  ///< x of the inlet of a channel from a file [m]; 0: none
+    double outlet_position = 0;  ///< x of its outlet [m]; 0: none
   } geometry;
 
   struct {
@@ -61,6 +65,7 @@ struct Scene {
     std::array<double, 3> velocity{};  ///< of a uniform flow [m/s]
     double mesh_cells_per_neck = 0;    ///< cells across the full neck width [-]
     double grid_spacing = 0;           ///< of flow.h5 [m]
+    double grid_tolerance = 0;         ///< error that grid_spacing was chosen for [-]; 0: none
     Lookup lookup = Lookup::nearest;
     bool rescale = false;
     struct {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupling/lookup_error.hpp"
 #include "coupling/require.hpp"
 #include "coupling/scene_draft.hpp"
 #include "coupling/scene_keys.hpp"
@@ -70,7 +71,12 @@ void fill_flow(SceneDraft& draft) {
     if (!draft.has("flow.mesh_cells_per_neck")) flow.mesh_cells_per_neck = 52;
     // A whole number of layers, near 50 for each neck width.
     if (!draft.has("flow.grid_spacing")) {
-      const double layers = std::round(50 * geometry.neck_height / geometry.neck_width);
+      const double side = std::min(geometry.neck_width, geometry.neck_height);
+      const double wanted = flow.grid_tolerance > 0
+                                ? spacing_for_error(flow.lookup, flow.grid_tolerance, side)
+                                : 0;
+      const double layers = wanted > 0 ? std::ceil(geometry.neck_height / wanted)
+                                       : std::round(50 * geometry.neck_height / geometry.neck_width);
       flow.grid_spacing = geometry.neck_height / std::max(1.0, layers);
     }
   }

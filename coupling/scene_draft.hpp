@@ -31,6 +31,10 @@ struct SceneDraft {
 /// Reads text and overrides through the key table; single values are checked, nothing else.
 SceneDraft read_draft(const std::string& text, const std::string& name, const Overrides& overrides);
 
+/// Takes from the STL file of a channel what the scene does not give, and compares what it gives.
+/// \throws Error when the file is no such channel, or another one
+void measure_stl(SceneDraft& draft);
+
 /// Fills in every value that was not given. \throws Error where there is no default
 void fill_defaults(SceneDraft& draft);
 

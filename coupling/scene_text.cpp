@@ -1,11 +1,9 @@
 // The scene back to text: complete, in SI units, in the order of the key table.
 #include <cmath>
-#include <fstream>
-#include <iterator>
 
-#include "coupling/content_hash.hpp"
 #include "coupling/require.hpp"
 #include "coupling/scene_keys.hpp"
+#include "coupling/stl_channel.hpp"
 
 namespace clog {
 namespace {
@@ -68,13 +66,6 @@ bool is_absent(const Scene& scene, std::string_view section) {
          (section == "box" && !scene.box.present);
 }
 
-// A file of walls decides the flow by its content, wherever it lies.
-std::string file_hash(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  require(stream.good(), "geometry.stl = \"{}\" (the file cannot be read)", file);
-  return content_hash({std::istreambuf_iterator<char>(stream), {}});
-}
-
 bool decides_flow(std::string_view path) {
   return path.starts_with("geometry.") || path.starts_with("fluid.") ||
          path == "flow.mean_velocity" || path == "flow.mesh_cells_per_neck" ||
@@ -107,7 +98,9 @@ std::string flow_inputs(const Scene& scene) {
     if (!decides_flow(key.path) || is_absent(scene, section_of(key.path))) continue;
     std::string value = std::visit(Printer{copy, false}, key.slot);
     if (value.empty()) continue;
-    if (key.path == "geometry.stl") value = file_hash(scene.geometry.stl);
+    if (key.path == "geometry.stl_content") continue;
+    if (key.path == "geometry.stl")
+      value = scene.geometry.stl_content.empty() ? stl_content_hash(scene) : scene.geometry.stl_content;
     text += fmt::format("{} = {}\n", key.path, value);
   }
   return text;

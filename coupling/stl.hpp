@@ -1,7 +1,9 @@
-// Walls from an STL file, text or binary.
+// Walls from an STL file, text or binary, and text files of named parts.
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "coupling/walls.hpp"
 
@@ -12,5 +14,17 @@ namespace clog {
 /// \throws Error if the file cannot be read, is cut short, holds no triangle or a number that is not
 ///         finite
 Walls read_stl(const std::filesystem::path& file);
+
+/// A part of an STL file: the text between `solid` and `endsolid`, or a whole binary file.
+struct StlSolid {
+  std::string name;  ///< empty where the file gives none
+  Walls triangles;
+};
+
+/// The same by parts, in the order of the file.
+std::vector<StlSolid> read_stl_solids(const std::filesystem::path& file);
+
+/// Text of an STL file. \param unit  length that the file counts in [m]
+std::string stl_text(const std::vector<StlSolid>& solids, double unit);
 
 }  // namespace clog

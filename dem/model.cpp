@@ -8,9 +8,10 @@
 #include "coupling/flow_rescale.hpp"
 #include "coupling/require.hpp"
 #include "coupling/stl.hpp"
+#include "coupling/stl_channel.hpp"
 #include "dem/physics/porosity.hpp"
 #include "dem/physics/time_step.hpp"
-#include "dem/wall_mesh.hpp"
+#include "coupling/wall_mesh.hpp"
 
 namespace clog {
 
@@ -90,8 +91,10 @@ void enclose(Domain& domain, const Walls& walls) {
 }
 
 /// Walls from a file, refused under its name if they are no surface.
-Walls file_walls(const std::string& file, std::string& note) {
-  const Walls walls = read_stl(file);
+Walls file_walls(const std::string& file, double unit, std::string& note) {
+  Walls walls = read_stl(file);
+  for (Triangle& t : walls)
+    for (Vec3& corner : t.corner) corner *= unit;
   try {
     const auto rims = open_rims(join_walls(walls));
     if (!rims.empty())
@@ -105,7 +108,7 @@ Walls file_walls(const std::string& file, std::string& note) {
   return walls;
 }
 
-/// Walls and limits: the box of a laboratory, the file's walls, or the parametric channel with a
+/// Walls and limits: the box of a laboratory, the file's walls, or the channel (of keys or of a file) with a
 /// closed left end, so that no particle leaves against the flow.
 void build_walls(Model& model, const FlowGrid* flow) {
   const Scene& s = model.scene;
@@ -114,8 +117,8 @@ void build_walls(Model& model, const FlowGrid* flow) {
     enclose(model.domain, model.walls);
   }
   if (!s.geometry.present) return;
-  if (s.geometry.stl.empty()) {
-    const Walls channel = flow ? flow->walls : channel_walls(s);
+  if (s.geometry.stl.empty() || is_stl_channel(s)) {
+    const Walls channel = flow ? flow->walls : is_stl_channel(s) ? read_stl_channel(s).walls : channel_walls(s);
     model.walls.insert(model.walls.end(), channel.begin(), channel.end());
     const Walls end = cross_wall(channel_start(s), s.geometry.channel_width, s.geometry.neck_height, 1);
     model.walls.insert(model.walls.end(), end.begin(), end.end());
@@ -124,7 +127,7 @@ void build_walls(Model& model, const FlowGrid* flow) {
     model.domain.outlet = channel_end(s);
     model.domain.passage = s.passages.plane;
   } else {
-    const Walls stl = file_walls(s.geometry.stl, model.walls_note);
+    const Walls stl = file_walls(s.geometry.stl, stl_unit(s), model.walls_note);
     model.walls.insert(model.walls.end(), stl.begin(), stl.end());
     enclose(model.domain, model.walls);
     if (flow) model.domain.outlet = model.domain.high.x();

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "dem/closest_point.hpp"
-#include "dem/wall_mesh.hpp"
+#include "coupling/wall_mesh.hpp"
 
 namespace clog {
 

@@ -1,5 +1,6 @@
 // What a scene means: values, defaults, overrides, and the way back to text.
 #include <fstream>
+#include <regex>
 #include <numbers>
 
 #include <gmock/gmock.h>
@@ -143,7 +144,7 @@ TEST(Scene, EffectiveTextIsReadBackToItself) {
 // The value as --set text, different from any default; empty where other tests cover the key.
 std::string other_value(const Key& key) {
   if (const auto* number = std::get_if<NumberSlot>(&key.slot)) {
-    const double value = number->range.high <= 1 ? 0.25 : 123;
+    const double value = number->range.high <= 0 ? -123 : number->range.high <= 1 ? 0.25 : 123;
     return number->dimension == dimension::number
                ? fmt::format("{}", value)
                : format_quantity(1e-7 * value, number->dimension);
@@ -184,6 +185,18 @@ TEST(Scene, FlowInputsAreOnlyWhatDecidesTheFlow) {
                                             {"particles.diameter=22 um", "flow.lookup=trilinear",
                                              "drag.enabled=false"})));
   EXPECT_NE(inputs, flow_inputs(parse_scene(channel, "scene", {"fluid.viscosity=1 mPa s"})));
+}
+
+TEST(Scene, SpacingOfTheGridFromATolerance) {
+  const auto spacing = [](const Overrides& overrides) {
+    const std::string text = std::regex_replace(channel, std::regex("grid_spacing[^\n]*\n"), "");
+    return parse_scene(text, "scene", overrides).flow.grid_spacing;
+  };
+  // 1.54 h / D = 0.1 needs 15.4 layers, 2.4 (h / D)^1.5 = 0.1 needs 8.3: whole ones, rounded up.
+  EXPECT_NEAR(spacing({"flow.grid_tolerance=0.1"}), 1e-4 / 16, 1e-12);
+  EXPECT_NEAR(spacing({"flow.grid_tolerance=0.1", "flow.lookup=trilinear"}), 1e-4 / 9, 1e-12);
+  EXPECT_NEAR(spacing({"flow.grid_tolerance=0.1", "flow.grid_spacing=5 um"}), 5e-6, 1e-12);
+  EXPECT_NEAR(spacing({}), 2e-6, 1e-12);
 }
 
 TEST(Scene, AFileOfWallsCountsByItsContent) {

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "dem/closest_point.hpp"
-#include "dem/wall_mesh.hpp"
+#include "coupling/wall_mesh.hpp"
 #include "dem/wall_surface.hpp"
 #include "tests/coupling/refusal.hpp"
 #include "tests/dem/wall_shapes.hpp"

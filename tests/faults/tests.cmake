@@ -2,7 +2,7 @@ clog_tests(test_exact_restart
   SOURCES faults/test_exact_restart.cpp
   LIBRARIES clog_dem LABELS faults)
 clog_tests(test_killed
-  SOURCES faults/test_killed.cpp faults/test_states.cpp faults/test_disk.cpp
+  SOURCES faults/test_killed.cpp faults/test_states.cpp faults/test_disk.cpp faults/test_rescaled_run.cpp
   LIBRARIES clog_dem LABELS faults)
 target_compile_definitions(test_killed PRIVATE CLOG_PROGRAM="$<TARGET_FILE:clog>")
 add_dependencies(test_killed clog)

@@ -1,5 +1,5 @@
 clog_tests(test_flow_coarse
-  SOURCES pipeline/test_flow_coarse.cpp pipeline/test_flow_error.cpp
+  SOURCES pipeline/test_flow_coarse.cpp pipeline/test_flow_error.cpp pipeline/test_flow_stl.cpp
   LIBRARIES clog_coupling LABELS flow)
 
 # Not gtest_discover_tests: one process, because its tests share one solution of half a minute.

@@ -1,4 +1,4 @@
-#include "dem/wall_mesh.hpp"
+#include "coupling/wall_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>

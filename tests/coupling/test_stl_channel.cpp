@@ -1,0 +1,216 @@
+// Channels from STL files: what is measured in them, and what is refused.
+#include "coupling/stl_channel.hpp"
+
+#include <cmath>
+#include <fstream>
+#include <regex>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include "coupling/channel_geometry.hpp"
+#include "coupling/channel_shape.hpp"
+#include "coupling/stl.hpp"
+#include "coupling/wall_sections.hpp"
+#include "tests/coupling/flow_scene.hpp"
+#include "tests/coupling/refusal.hpp"
+
+namespace clog {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+const char* text_of_scene = R"(
+[geometry]
+stl = "walls.stl"
+stl_unit = "1 um"
+neck_width = "100 um"
+[fluid]
+viscosity = "1.8e-3 Pa s"
+density = "1062 kg/m3"
+[flow]
+mean_velocity = "5 mm/s"
+mesh_cells_per_neck = 12
+grid_spacing = "5 um"
+[particles]
+diameter = "33 um"
+[contact]
+youngs_modulus = "3 MPa"
+poisson_ratio = 0.35
+[time]
+end = "1 s"
+)";
+
+// A scene beside its STL file.
+class StlScene {
+public:
+  explicit StlScene(const std::string& stl) {
+    write_file(folder_.path() / "walls.stl", stl);
+    write_file(folder_.path() / "scene.toml", text_of_scene);
+  }
+  Scene read(const Overrides& overrides = {}) const {
+    return read_scene(folder_.path() / "scene.toml", overrides);
+  }
+  std::string refused(const Overrides& overrides = {}) const {
+    const std::string message = refusal([&] { read(overrides); });
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+    return message;
+  }
+
+private:
+  ScratchFolder folder_;
+};
+
+std::string paper_stl() { return channel_stl(flow_scene(), 1e-6); }
+
+TEST(StlChannel, IsMeasured) {
+  const StlScene file(paper_stl());
+  const Scene measured = file.read(), keys = flow_scene();
+  EXPECT_NEAR(measured.geometry.channel_width, 4e-4, 1e-10);
+  EXPECT_NEAR(measured.geometry.neck_height, 1e-4, 1e-10);
+  EXPECT_NEAR(measured.geometry.channel_length, 1e-3, 1e-9);
+  EXPECT_NEAR(channel_start(measured), channel_start(keys), 1e-9);
+  EXPECT_NEAR(narrowing_length(measured), narrowing_length(keys), 1e-9);
+  EXPECT_NEAR(channel_end(measured), 1e-4, 1e-9);
+  EXPECT_EQ(neck_start(measured), 0);
+  EXPECT_DOUBLE_EQ(neck_mean_velocity(measured), 20e-3);
+  for (const auto& [from, to] : {std::pair(-1.0e-3, 0.0), {-6e-5, 3e-5}, {-5e-4, -4e-4}})
+    EXPECT_NEAR(channel_volume(measured, from, to) / channel_volume(keys, from, to), 1, 1e-6);
+  EXPECT_EQ(read_stl_channel(measured).walls.size(), channel_walls(keys).size());
+  // It is complete as text, with no file at hand.
+  const Scene again = parse_scene(effective_scene(measured), "again");
+  EXPECT_EQ(flow_inputs(again), flow_inputs(measured));
+  EXPECT_EQ(effective_scene(again), effective_scene(measured));
+}
+
+TEST(StlChannel, SectionsAndPlacesInside) {
+  const Scene keys = flow_scene();
+  const Walls walls = channel_walls(keys);
+  for (const double x : {-8e-4, -5e-5, 5e-5}) {
+    const WallSection section = section_at(walls, x);
+    EXPECT_NEAR(section.width(), channel_width_at(keys, x), 1e-12);
+    EXPECT_NEAR(section.height(), 1e-4, 1e-12);
+    EXPECT_NEAR(section.area, channel_width_at(keys, x) * 1e-4, 1e-15);
+    const double edge = channel_width_at(keys, x) / 2;
+    const std::vector<double> heights{-1e-6, 1e-6, 5e-5, 9.9e-5, 1.01e-4};
+    const std::vector<bool> between{false, true, true, true, false};
+    EXPECT_EQ(inside_along_z(walls, x, 0.997 * edge, heights), between);
+    EXPECT_EQ(inside_along_z(walls, x, -0.997 * edge, heights), between);
+    EXPECT_EQ(inside_along_z(walls, x, 1.003 * edge, heights), std::vector<bool>(5, false));
+  }
+  EXPECT_EQ(section_at(walls, 1).area, 0);
+  EXPECT_NEAR(straight_until(walls), -narrowing_length(keys), 1e-12);
+}
+
+// Swaps the last two corners of every facet.
+std::string turned(const std::string& stl) {
+  return std::regex_replace(stl, std::regex("(vertex [^\n]*\n)(vertex [^\n]*\n)(endloop)"), "$2$1$3");
+}
+
+TEST(StlChannel, NormalsMayPointOutAsOfADrawnBody) {
+  const Walls in = read_stl_channel(StlScene(paper_stl()).read()).walls;
+  const StlScene file(turned(paper_stl()));
+  const Walls out = read_stl_channel(file.read()).walls;
+  const Vec3 normal = (out[0].corner[1] - out[0].corner[0]).cross(out[0].corner[2] - out[0].corner[0]);
+  const Vec3 wanted = (in[0].corner[1] - in[0].corner[0]).cross(in[0].corner[2] - in[0].corner[0]);
+  EXPECT_GT(normal.dot(wanted), 0);
+  EXPECT_NEAR(channel_volume(file.read(), -1e-3, 0) / channel_volume(flow_scene(), -1e-3, 0), 1, 1e-6);
+}
+
+// Text of the first facet after `from`.
+std::pair<std::size_t, std::size_t> facet(const std::string& stl, const std::string& from) {
+  const std::size_t begin = stl.find("facet", stl.find(from) + from.size());
+  return {begin, stl.find("endfacet\n", begin) + 9 - begin};
+}
+
+TEST(StlChannel, RefusesAnOpenOrTurnedSurface) {
+  std::string hole = paper_stl();
+  const auto [at, length] = facet(hole, "solid walls");
+  hole.erase(at, length);
+  EXPECT_THAT(StlScene(hole).refused(), HasSubstr("the surface is not closed (a hole of"));
+
+  std::string one = paper_stl();
+  one.replace(at, length, turned(one.substr(at, length)));
+  EXPECT_THAT(StlScene(one).refused(), HasSubstr("are turned differently"));
+
+  // A sheet inside the channel, closed to a body of no thickness with the wall's own edges.
+  std::string fin = paper_stl();
+  const std::string wall = fin.substr(at, length);
+  const std::size_t third = wall.rfind("vertex");
+  fin.insert(at, wall.substr(0, third) + "vertex -300 0 50\nendloop\nendfacet\n");
+  EXPECT_THAT(StlScene(fin).refused(), AnyOf(HasSubstr("the surface is not closed"), HasSubstr("meet in the edge")));
+
+  std::string twice = paper_stl();
+  twice.insert(at, wall);
+  EXPECT_THAT(StlScene(twice).refused(), AllOf(HasSubstr("walls.stl: walls: triangle"), HasSubstr("has the corners of")));
+}
+
+TEST(StlChannel, RefusesTrianglesThatShareAnEdgeByFour) {
+  // Two tetrahedra that touch along one edge, hung into the channel.
+  const auto body = [](double dx) {
+    const Vec3 a(-6e-4, 0, 4e-5), b(-6e-4, 0, 6e-5), c(-6e-4 + dx, 1e-5, 5e-5), d(-6e-4 + dx, -1e-5, 5e-5);
+    Walls faces{{{a, b, c}}, {{b, a, d}}, {{a, c, d}}, {{b, d, c}}};
+    if (dx < 0)
+      for (Triangle& t : faces) std::swap(t.corner[0], t.corner[1]);
+    return faces;
+  };
+  Walls both = body(1e-5), other = body(-1e-5);
+  both.insert(both.end(), other.begin(), other.end());
+  EXPECT_THAT(StlScene(paper_stl() + stl_text({{"grain", both}}, 1e-6)).refused(),
+              HasSubstr("4 triangles meet in the edge at"));
+}
+
+std::string moved(const std::string& stl, const Vec3& by) {
+  std::string text;
+  std::istringstream lines(stl);
+  for (std::string line; std::getline(lines, line);) {
+    double x, y, z;
+    if (std::sscanf(line.c_str(), "vertex %lf %lf %lf", &x, &y, &z) == 3)
+      line = fmt::format("vertex {:.9g} {:.9g} {:.9g}", x + by.x(), y + by.y(), z + by.z());
+    text += line + "\n";
+  }
+  return text;
+}
+
+TEST(StlChannel, RefusesOpeningsThatAreNotNamedOrNotInPlace) {
+  EXPECT_THAT(StlScene(std::regex_replace(paper_stl(), std::regex("solid inlet"), "solid left")).refused(),
+              AllOf(HasSubstr("holds no part named inlet"), HasSubstr("walls, left, outlet")));
+  EXPECT_THAT(StlScene(std::regex_replace(paper_stl(), std::regex("solid outlet"), "solid")).refused(),
+              AllOf(HasSubstr("holds no part named outlet"), HasSubstr("one without a name")));
+  // Inlet and outlet exchanged.
+  std::string swapped = std::regex_replace(paper_stl(), std::regex("solid inlet"), "solid x");
+  swapped = std::regex_replace(swapped, std::regex("solid outlet"), "solid inlet");
+  swapped = std::regex_replace(swapped, std::regex("solid x"), "solid outlet");
+  EXPECT_THAT(StlScene(swapped).refused(), HasSubstr("the inlet has a corner at x = 0.0001 m"));
+  EXPECT_THAT(StlScene(moved(paper_stl(), {0, 0, 20})).refused(),
+              AllOf(HasSubstr("the inlet fills 1 of"), HasSubstr("z from 2e-05 to 0.00012 m")));
+  EXPECT_THAT(StlScene(moved(paper_stl(), {-150, 0, 0})).refused(), HasSubstr("x = 0 must lie between"));
+  EXPECT_THAT(StlScene(moved(paper_stl(), {110, 0, 0})).refused(), HasSubstr("its walls are parallel to x up to"));
+}
+
+TEST(StlChannel, ComparesTheScaleAndWhatElseTheSceneSays) {
+  const StlScene file(paper_stl());
+  EXPECT_THAT(file.refused({"geometry.stl_unit=1 mm"}),
+              AllOf(HasSubstr("neck_width"), HasSubstr("it is 0.1 m, counted in units of 0.001 m: is "
+                                                       "geometry.stl_unit right?")));
+  EXPECT_THAT(file.refused({"geometry.neck_width=90 um"}), HasSubstr("geometry.neck_width"));
+  EXPECT_THAT(file.refused({"geometry.channel_width=500 um"}), HasSubstr("geometry.channel_width"));
+  EXPECT_THAT(file.refused({"geometry.half_angle=60 deg"}), HasSubstr("the shape comes from geometry.stl"));
+  EXPECT_THAT(file.refused({"geometry.stl_content=0123456789abcdef"}), HasSubstr("the file has changed"));
+  EXPECT_THAT(refusal([&] { channel_stl(file.read(), 1e-6); }), HasSubstr("the channel is a file already"));
+}
+
+TEST(StlChannel, ShippedPore) {
+  const Scene scene = read_scene(std::filesystem::path(CLOG_SOURCE_DIR) / "scenes" / "pore.toml");
+  const StlChannel pore = read_stl_channel(scene);
+  EXPECT_NEAR(pore.width, 3e-4, 1e-9);
+  EXPECT_NEAR(pore.straight_end, -1.8e-4, 2e-6);
+  // A square of 100 um with four corners of 30 um, each quarter circle four chords:
+  // each leaves r^2 (1 - 4 sin(pi / 8) / 2) of its square.
+  const double corners = 900e-12 * (4 - 8 * std::sin(std::numbers::pi / 8));
+  EXPECT_NEAR(section_at(pore.walls, 5e-5).area, 1e-8 - corners, 1e-13);
+}
+
+}  // namespace
+}  // namespace clog
