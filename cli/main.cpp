@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
   clog::cli::add_fit(app);
   clog::cli::add_stats(app);
   clog::cli::add_report(app);
+  clog::cli::add_trade(app);
   clog::cli::add_info(app);
   try {
     app.parse(argc, argv);

@@ -8,12 +8,14 @@
 
 #include "cli/verbs.hpp"
 #include "dem/plan.hpp"
+#include "trade/fidelity.hpp"
 
 namespace clog::cli {
 namespace {
 
 struct PlanOptions {
   std::filesystem::path scene;
+  std::string tolerance;
   Overrides overrides;
 };
 
@@ -26,7 +28,9 @@ void print_limit(const char* what, double limit, double dt) {
 }
 
 void print_plan(const PlanOptions& options) {
-  const Plan plan = make_plan(read_scene(options.scene, options.overrides));
+  const auto [scene, fidelity] = trade::read_resolved_scene(options.scene, options.overrides);
+  const Plan plan = make_plan(scene);
+  if (!fidelity.empty()) fmt::print("{}\n\n", fidelity);
   fmt::print("{:<34} {:<42} {:>10}  {:<7} {:<9} {}\n", "term", "decided by", "value", "needed",
              "modelled", "because");
   for (const PlannedTerm& t : plan.terms)
@@ -52,8 +56,13 @@ void add_plan(CLI::App& app) {
   auto* verb = app.add_subcommand("plan", "what a scene needs and costs");
   auto options = std::make_shared<PlanOptions>();
   verb->add_option("scene", options->scene, "scene file (TOML)")->required();
+  verb->add_option("--tolerance", options->tolerance, "as for clog run");
   verb->add_option("--set", options->overrides, "key=value: overrides the scene")->allow_extra_args(false);
-  verb->callback([options] { print_plan(*options); });
+  verb->callback([options] {
+    if (!options->tolerance.empty())
+      options->overrides.push_back("fidelity.tolerance=" + options->tolerance);
+    print_plan(*options);
+  });
 }
 
 }  // namespace clog::cli

@@ -16,6 +16,7 @@
 #include "coupling/require.hpp"
 #include "dem/ensemble.hpp"
 #include "dem/step_limit.hpp"
+#include "trade/fidelity.hpp"
 
 namespace clog::cli {
 namespace {
@@ -26,7 +27,7 @@ std::atomic<bool> stop_asked = false;
 
 struct RunOptions {
   std::filesystem::path scene, flow, out;
-  std::string seeds;
+  std::string seeds, tolerance;
   Overrides overrides;
 };
 
@@ -37,7 +38,8 @@ struct Prepared {
 };
 
 Prepared prepare(const RunOptions& options) {
-  Prepared prepared{read_scene(options.scene, options.overrides), {}, {}};
+  auto [scene, fidelity] = trade::read_resolved_scene(options.scene, options.overrides);
+  Prepared prepared{std::move(scene), {}, fidelity};
   if (!options.seeds.empty()) prepared.scene.ensemble.seeds = parse_seeds(options.seeds);
   if (prepared.scene.flow.source == FlowSource::openfoam) {
     require(!options.flow.empty(),
@@ -47,7 +49,8 @@ Prepared prepare(const RunOptions& options) {
     prepared.flow = read_flow_grid(options.flow);
     if (prepared.scene.flow.rescale) {
       RescaledFlow rescaled = rescaled_flow(std::move(*prepared.flow), prepared.scene);
-      prepared.note = fmt::format("the flow is scaled by {:.6g}; that leaves out {:.2g} % of the "
+      if (!prepared.note.empty()) prepared.note += "\n";
+      prepared.note += fmt::format("the flow is scaled by {:.6g}; that leaves out {:.2g} % of the "
                                   "neck's mean velocity at most",
                                   rescaled.factor, 100 * rescaled.error);
       prepared.flow = std::move(rescaled.grid);
@@ -109,8 +112,14 @@ void add_run(CLI::App& app) {
   verb->add_option("--flow", options->flow, "flow.h5 made by clog map");
   verb->add_option("--seeds", options->seeds, "for example 1-40; default: ensemble.seeds");
   verb->add_option("--out", options->out, "directory for the run files")->required();
+  verb->add_option("--tolerance", options->tolerance,
+                   "let the program choose the cheapest numerics measured to be within this, such as 0.05");
   verb->add_option("--set", options->overrides, "key=value: overrides the scene")->allow_extra_args(false);
-  verb->callback([options] { run(*options); });
+  verb->callback([options] {
+    if (!options->tolerance.empty())
+      options->overrides.push_back("fidelity.tolerance=" + options->tolerance);
+    run(*options);
+  });
 }
 
 }  // namespace clog::cli

@@ -147,7 +147,27 @@ std::string run_seed(const Ensemble& ensemble, const std::string& inputs, std::u
   return summary(run);
 }
 
+SeedEnd run_and_report(const Ensemble& ensemble, const std::string& inputs, std::uint64_t seed,
+                       const Watcher& watcher, const std::function<void(const SeedReport&)>& report) {
+  try {
+    report({seed, run_seed(ensemble, inputs, seed, watcher, report), false});
+    return SeedEnd::done;
+  } catch (const Stopped&) {
+    report({seed, "stopped; its state is saved, the same call goes on from there", false});
+    return SeedEnd::stopped;
+  } catch (const std::exception& error) {
+    report({seed, error.what(), true});
+    return SeedEnd::failed;
+  }
+}
+
 }  // namespace
+
+SeedEnd run_one_seed(const Ensemble& ensemble, std::uint64_t seed, const Watcher& watcher,
+                     const std::function<void(const SeedReport&)>& report) {
+  make_directory(ensemble.directory);
+  return run_and_report(ensemble, inputs_hash(ensemble), seed, watcher, report);
+}
 
 EnsembleResult run_ensemble(const Ensemble& ensemble, Ranks& ranks, const Watcher& watcher,
                             const std::function<void(const SeedReport&)>& report) {
@@ -156,17 +176,10 @@ EnsembleResult run_ensemble(const Ensemble& ensemble, Ranks& ranks, const Watche
   const std::string inputs = inputs_hash(ensemble);
   EnsembleResult result;
   for (int k = ranks.next(); k < static_cast<int>(seeds.size()); k = ranks.next()) {
-    const std::uint64_t seed = seeds[k];
-    try {
-      report({seed, run_seed(ensemble, inputs, seed, watcher, report), false});
-    } catch (const Stopped&) {
-      ++result.stopped;
-      report({seed, "stopped; its state is saved, the same call goes on from there", false});
-      break;
-    } catch (const std::exception& error) {
-      ++result.failed;
-      report({seed, error.what(), true});
-    }
+    const SeedEnd end = run_and_report(ensemble, inputs, seeds[k], watcher, report);
+    result.failed += end == SeedEnd::failed;
+    result.stopped += end == SeedEnd::stopped;
+    if (end == SeedEnd::stopped) break;
   }
   return {ranks.sum(result.failed), ranks.sum(result.stopped)};
 }

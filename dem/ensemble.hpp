@@ -34,6 +34,13 @@ struct EnsembleResult {
   int stopped = 0;  ///< seeds that were asked to stop; their states are saved
 };
 
+enum class SeedEnd { done, failed, stopped };
+
+/// One seed, by the rank that calls: from its saved state if there is one; done if its file is there.
+/// Whatever goes wrong is reported, not thrown.
+SeedEnd run_one_seed(const Ensemble& ensemble, std::uint64_t seed, const Watcher& watcher,
+                     const std::function<void(const SeedReport&)>& report);
+
 /// Runs the seeds that have no run file yet, each from its saved state if there is one. A seed that fails
 /// is reported and does not stop the rest. States are saved every output.checkpoint_interval.
 /// \return the sums over all ranks

@@ -170,13 +170,11 @@ void choose_step(Model& model, const std::vector<Particle>& initial) {
 
 namespace {
 
-/// A scene must not ask for what this version does not do: silence would be taken for a result.
-void refuse_unbuilt(const Scene& s) {
-  const auto unbuilt = [](bool asked, const char* key) {
-    require(!asked, "{} is not modelled by this version: leave it out", key);
-  };
-  unbuilt(!s.fidelity.preset.empty(), "fidelity.preset");
-  unbuilt(s.fidelity.tolerance != 0, "fidelity.tolerance");
+/// A wanted fidelity must have become numbers before: silence would be taken for a result.
+void refuse_unresolved(const Scene& s) {
+  require(s.fidelity.preset.empty() && s.fidelity.tolerance == 0,
+          "fidelity.{} has not been turned into keys of the scene: read the scene through the program clog",
+          s.fidelity.preset.empty() ? "tolerance" : "preset");
 }
 
 /// More than any one core finishes; a diameter with a wrong unit gets here.
@@ -201,7 +199,7 @@ Particle Model::particle(double radius) const {
 }
 
 Model make_model(const Scene& scene, const FlowGrid* flow, const std::vector<Particle>& initial) {
-  refuse_unbuilt(scene);
+  refuse_unresolved(scene);
   check_count(scene);
   if (flow) check_flow_belongs(scene, *flow);
   Model model;

@@ -35,17 +35,15 @@ void require_modules(const std::string& python) {
           python, last_line(check.output));
 }
 
-}  // namespace
-
-std::vector<fs::path> make_report(const fs::path& statistics, const fs::path& out) {
+/// Runs a script of the figures. \return the files that it says it wrote
+std::vector<fs::path> run_script(const std::string& name, const fs::path& from, const fs::path& out) {
   const std::string python = environment("CLOG_PYTHON", "/usr/bin/python3");
   const fs::path scripts = environment("CLOG_FIGURES", CLOG_SOURCE_DIR "/postprocess/figures");
-  const fs::path script = scripts / "make_report.py";
+  const fs::path script = scripts / name;
   require(fs::exists(script),
           "{}: not found (set CLOG_FIGURES to the folder of the figure scripts)", script.string());
   require_modules(python);
-  const ChildResult made =
-      run_program({python, "-B", script.string(), statistics.string(), out.string()});
+  const ChildResult made = run_program({python, "-B", script.string(), from.string(), out.string()});
   require(made.status == 0, "{} failed: {}", script.string(), last_line(made.output));
   std::vector<fs::path> files;
   std::istringstream in(made.output);
@@ -53,6 +51,16 @@ std::vector<fs::path> make_report(const fs::path& statistics, const fs::path& ou
     if (line.starts_with("wrote ")) files.emplace_back(line.substr(6));
   }
   return files;
+}
+
+}  // namespace
+
+std::vector<fs::path> make_report(const fs::path& statistics, const fs::path& out) {
+  return run_script("make_report.py", statistics, out);
+}
+
+std::vector<fs::path> make_trade_figure(const fs::path& results, const fs::path& out) {
+  return run_script("fig_trade.py", results, out);
 }
 
 }  // namespace clog::postprocess

@@ -16,4 +16,8 @@ namespace clog::postprocess {
 std::vector<std::filesystem::path> make_report(const std::filesystem::path& statistics,
                                                const std::filesystem::path& out);
 
+/// Draws cost against error from a trade.json into a folder. \return the files \throws Error as above
+std::vector<std::filesystem::path> make_trade_figure(const std::filesystem::path& results,
+                                                     const std::filesystem::path& out);
+
 }  // namespace clog::postprocess

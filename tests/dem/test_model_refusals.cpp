@@ -10,12 +10,12 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(Model, RefusesWhatItDoesNotModel) {
+TEST(Model, RefusesAFidelityThatIsNotResolved) {
   for (const auto& [overrides, key] : std::vector<std::pair<Overrides, std::string>>{
            {{"fidelity.preset=fast"}, "fidelity.preset"},
            {{"fidelity.tolerance=0.05"}, "fidelity.tolerance"}}) {
     EXPECT_THAT(refusal([&] { make_model(short_channel_scene(overrides), nullptr, {}); }),
-                HasSubstr(key + " is not modelled by this version"));
+                HasSubstr(key + " has not been turned into keys"));
   }
 }
 

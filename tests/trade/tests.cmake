@@ -1,3 +1,6 @@
 clog_tests(test_stability
   SOURCES trade/test_stability.cpp
   LIBRARIES clog_trade LABELS slow)
+clog_tests(test_trade
+  SOURCES trade/test_trade.cpp
+  LIBRARIES clog_trade LABELS slow)

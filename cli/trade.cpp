@@ -1,0 +1,89 @@
+// clog trade: cost against error, measured.
+
+#include <atomic>
+#include <csignal>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "cli/verbs.hpp"
+#include "coupling/publish_file.hpp"
+#include "coupling/require.hpp"
+#include "coupling/text_file.hpp"
+#include "coupling/units.hpp"
+#include "postprocess/report.hpp"
+#include "trade/results.hpp"
+
+namespace clog::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::atomic<bool> stop_asked = false;
+
+struct TradeOptions {
+  fs::path scene, flow, out;
+  std::string budget = "10 min";
+  std::vector<fs::path> combine;
+  Overrides overrides;
+};
+
+double budget_seconds(const std::string& text) {
+  const Quantity quantity = parse_quantity(text);
+  require(quantity.dimension == dimension::time && quantity.si >= 0,
+          "--budget {} (must be a time such as '45 min', 0 s to evaluate what is there)", text);
+  return quantity.si;
+}
+
+void combine_studies(const TradeOptions& options) {
+  std::vector<nlohmann::json> studies;
+  for (const fs::path& file : options.combine) {
+    studies.push_back(nlohmann::json::parse(read_text_file(file), nullptr, false));
+    require(!studies.back().is_discarded() && studies.back().value("format", "") == "clogflow trade 1",
+            "{}: not a trade.json of clog trade", file.string());
+  }
+  publish_file(trade::combine(studies).dump(1) + "\n", options.out);
+}
+
+void run(const TradeOptions& options) {
+  if (!options.combine.empty()) return combine_studies(options);
+  require(!options.scene.empty(), "clog trade needs a scene, or --combine");
+  Ranks ranks;
+  trade::Study study{options.scene, options.overrides, nullptr, options.out,
+                     budget_seconds(options.budget), &stop_asked};
+  std::optional<FlowGrid> flow;
+  if (!options.flow.empty()) study.flow = &flow.emplace(read_flow_grid(options.flow));
+  std::signal(SIGTERM, [](int) { stop_asked = true; });
+  std::signal(SIGINT, [](int) { stop_asked = true; });
+  trade::run_study(study, ranks, [](const std::string& line) {
+    fmt::print("{}\n", line);
+    std::fflush(stdout);
+  });
+  if (ranks.rank() != 0) return;
+  const nlohmann::json results = trade::study_results(study);
+  publish_file(results.dump(1) + "\n", options.out / "trade.json");
+  const std::string table = trade::table(results);
+  publish_file(table, options.out / "trade.txt");
+  fmt::print("{}", table);
+  for (const fs::path& file : postprocess::make_trade_figure(options.out / "trade.json", options.out))
+    fmt::print("{}\n", file.string());
+}
+
+}  // namespace
+
+void add_trade(CLI::App& app) {
+  auto* verb = app.add_subcommand("trade", "measure speed against accuracy");
+  auto options = std::make_shared<TradeOptions>();
+  verb->add_option("scene", options->scene, "scene file (TOML)");
+  verb->add_option("--flow", options->flow, "flow.h5 made by clog map");
+  verb->add_option("--out", options->out, "folder of the study; with --combine the file to write")->required();
+  verb->add_option("--budget", options->budget, "wall-clock time for runs; finished ones are kept")
+      ->capture_default_str();
+  verb->add_option("--combine", options->combine, "trade.json of several studies: the presets of all");
+  verb->add_option("--set", options->overrides, "key=value: overrides the scene")->allow_extra_args(false);
+  verb->callback([options] { run(*options); });
+}
+
+}  // namespace clog::cli

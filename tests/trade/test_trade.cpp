@@ -1,0 +1,188 @@
+// The study at a toy budget, its rules on made-up numbers, and what the program does with its result.
+#include <algorithm>
+#include <fstream>
+
+#include <gmock/gmock.h>
+
+#include "coupling/text_file.hpp"
+#include "tests/coupling/refusal.hpp"
+#include "tests/faults/small_channel.hpp"
+#include "trade/fidelity.hpp"
+#include "trade/results.hpp"
+#include "trade/sample.hpp"
+
+namespace clog::test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using namespace clog::trade;
+
+const std::filesystem::path paper = std::filesystem::path(CLOG_SOURCE_DIR) / "scenes" / "paper.toml";
+
+/// Twenty pieces with 10 bursts each, of sizes that waver by `spread` around `mean`.
+Sample bursts_of(double mean, double spread) {
+  Sample sample;
+  for (int k = 0; k < 20; ++k) {
+    Piece piece;
+    piece.seed = 1 + k / 5, piece.number = k % 5;
+    piece.totals.bursts = 10;
+    piece.totals.escaped = 10 * (mean + (k % 2 ? spread : -spread));
+    sample.pieces.push_back(piece);
+  }
+  return sample;
+}
+
+const Observable& named(const std::string& key) {
+  return *std::ranges::find(observables(), key, &Observable::key);
+}
+
+TEST(TradeCompare, SeesADifferenceOnlyBeyondItsInterval) {
+  const Difference clear = compare(named("mean_burst"), bursts_of(8, 1), bursts_of(10, 1));
+  EXPECT_DOUBLE_EQ(clear.reference, 8);
+  EXPECT_DOUBLE_EQ(clear.value, 10);
+  EXPECT_NEAR(clear.difference, 0.25, 1e-12);
+  EXPECT_TRUE(clear.real());
+  EXPECT_LT(clear.low, 0.25);
+  EXPECT_GT(clear.high, 0.25);
+  // Pieces out of step: the differences of the pairs are +-4 around a mean of 0.2.
+  Sample noisy = bursts_of(8.2, -2);
+  const Difference unclear = compare(named("mean_burst"), bursts_of(8, 2), noisy);
+  EXPECT_NEAR(unclear.difference, 0.025, 1e-12);
+  EXPECT_FALSE(unclear.real());
+}
+
+TEST(TradeCompare, UsesOnlyWhatBothRan) {
+  Sample half = bursts_of(10, 0);
+  half.pieces.resize(5);
+  half.pieces[0].totals.escaped = 60;
+  const Difference d = compare(named("mean_burst"), bursts_of(8, 0), half);
+  EXPECT_DOUBLE_EQ(d.reference, 8);
+  EXPECT_DOUBLE_EQ(d.value, (4 * 100 + 60) / 50.0);
+  EXPECT_TRUE(std::isnan(compare(named("mean_burst"), bursts_of(8, 0), Sample{}).difference));
+}
+
+json study_with(const json& settings, double diameter) {
+  return {{"format", "clogflow trade 1"}, {"diameter", diameter}, {"reference", "a"}, {"settings", settings}};
+}
+
+json entry(const char* name, double gain, double error) {
+  return {{"name", name}, {"kind", "numerics"}, {"overrides", {"time.mass_scale=2"}},
+          {"gain", gain}, {"error", error}, {"hidden", 2 * error}};
+}
+
+// b is cheap and good at one diameter and bad at the other, c is dear and good, d good and physics, e was
+// run once.
+TEST(TradePresets, FollowTheirRuleOverAllStudies) {
+  json d = entry("d", 90, 0);
+  d["kind"] = "physics";
+  const json one = study_with({entry("a", 1, 0), entry("b", 8, 0.01), entry("c", 3, 0.04), d, entry("e", 50, 0)}, 1);
+  const json two = study_with({entry("a", 1, 0), entry("b", 6, 0.09), entry("c", 4, 0.05), d, {{"name", "e"}, {"not_run", true}}}, 2);
+  const json both = combine({one, two});
+  EXPECT_EQ(both["presets"], (json{{"reference", "a"}, {"standard", "c"}, {"fast", "b"}}));
+  EXPECT_EQ(both["settings"].size(), 3u);
+  EXPECT_EQ(both["settings"][1]["gain"], 6.0);
+  EXPECT_EQ(both["settings"][1]["error"], 0.09);
+  EXPECT_EQ(both["settings"][2]["hidden"], 0.1);
+  EXPECT_EQ(cheapest_within(both, 0.089)["name"], "c");
+  EXPECT_THAT(refusal([&] { cheapest_within(json{{"settings", json::array()}}, 0.01); }),
+              HasSubstr("no setting was measured to be within 0.01"));
+}
+
+TEST(TradePresets, AreThoseOfTheCommittedStudy) {
+  std::vector<json> studies;
+  for (const char* name : {"d50.json", "d33.json"})
+    studies.push_back(json::parse(
+        read_text_file(std::filesystem::path(CLOG_SOURCE_DIR) / "docs" / "trade" / name)));
+  EXPECT_EQ(combine(studies), measured_settings());
+}
+
+TEST(Fidelity, APresetBecomesKeysAndTheCommandLineWins) {
+  const auto& presets = measured_settings().at("presets");
+  for (const char* name : {"reference", "standard", "fast"}) {
+    const ResolvedScene resolved =
+        read_resolved_scene(paper, {std::string("fidelity.preset=") + name, "time.mass_scale=7"});
+    EXPECT_EQ(resolved.scene.time.mass_scale, 7);
+    EXPECT_TRUE(resolved.scene.fidelity.preset.empty());
+    EXPECT_THAT(resolved.note, HasSubstr("setting " + presets[name].get<std::string>() + ","));
+    for (const json& setting : measured_settings()["settings"]) {
+      if (setting["name"] != presets[name]) continue;
+      Overrides keys = setting["overrides"];
+      keys.push_back("time.mass_scale=7");
+      EXPECT_EQ(effective_scene(resolved.scene), effective_scene(read_scene(paper, keys)));
+    }
+  }
+}
+
+TEST(Fidelity, AToleranceChoosesTheCheapestWithinIt) {
+  const ResolvedScene resolved = read_resolved_scene(paper, {"fidelity.tolerance=0.05"});
+  EXPECT_THAT(resolved.note,
+              HasSubstr("setting " + measured_settings()["presets"]["standard"].get<std::string>() + ","));
+  EXPECT_EQ(resolved.scene.fidelity.tolerance, 0);
+  EXPECT_EQ(read_resolved_scene(paper, {}).note, "");
+}
+
+TEST(Fidelity, RefusesWhatItDoesNotKnow) {
+  EXPECT_THAT(refusal([] { read_resolved_scene(paper, {"fidelity.preset=best"}); }),
+              HasSubstr("fidelity.preset = \"best\" (must be \"reference\", \"standard\" or \"fast\")"));
+  EXPECT_THAT(refusal([] { read_resolved_scene(paper, {"fidelity.preset=fast", "fidelity.tolerance=0.1"}); }),
+              HasSubstr("(one of them decides): leave one out"));
+}
+
+/// A study of the small channel.
+class ToyStudy : public testing::Test {
+protected:
+  ToyStudy() : scene_(small_channel({"time.end=6 ms", "ensemble.seeds=[1]"})), flow_(synthetic_flow(scene_)) {
+    std::ofstream(folder_ / "toy.toml") << effective_scene(scene_);
+    study_ = {folder_ / "toy.toml", {}, &flow_, folder_ / "toy", 0, nullptr};
+  }
+  ~ToyStudy() override { std::filesystem::remove_all(folder_ / "toy"); }
+
+  json evaluate(double budget) {
+    study_.budget = budget;
+    Ranks ranks;
+    run_study(study_, ranks, [this](const std::string& line) { said_.push_back(line); });
+    return study_results(study_);
+  }
+
+  std::filesystem::path folder_ = scratch_folder();
+  Scene scene_;
+  FlowGrid flow_;
+  Study study_;
+  std::vector<std::string> said_;
+};
+
+TEST_F(ToyStudy, ReportsWhatItRanAndWhatItDidNotAndGoesOn) {
+  const json nothing = evaluate(0);
+  EXPECT_EQ(nothing["reference"], "");
+  EXPECT_TRUE(nothing["presets"].empty());
+  for (const json& setting : nothing["settings"]) EXPECT_TRUE(setting["not_run"]) << setting;
+
+  // A run that the budget cuts goes on in the next call: on a busy machine it takes several.
+  json some = nothing;
+  for (int calls = 0; calls < 20 && some.value("reference", "") == ""; ++calls) some = evaluate(1);
+  EXPECT_EQ(some["reference"], "tau50");
+  const json& reference = some["settings"][0];
+  for (const Observable& o : observables()) {
+    const json& d = reference["differences"][o.key];
+    EXPECT_TRUE(d["difference"].is_null() || d["difference"] == 0.0) << o.key << d;
+    EXPECT_FALSE(d["real"]) << o.key;
+  }
+  EXPECT_EQ(reference["gain"], 1.0);
+
+  // The grid made coarser is seen in the forces, the same grid is not; half a step errs less than a full one.
+  std::map<std::string, json> brief;
+  for (const json& run : some["short"]) brief[run["name"]] = run;
+  EXPECT_EQ(brief["tau100"]["force"], 0.0);
+  EXPECT_GT(brief["grid x 4"]["force"], 0.005);
+  EXPECT_LT(brief["tau200"]["path"], 0.5 * brief["tau50"]["path"].get<double>());
+  EXPECT_THAT(table(some), HasSubstr("not run\n"));
+
+  // Nothing is run twice.
+  const std::size_t lines = said_.size();
+  evaluate(0);
+  for (std::size_t k = lines; k < said_.size(); ++k) EXPECT_THAT(said_[k], HasSubstr("already done"));
+}
+
+}  // namespace
+}  // namespace clog::test

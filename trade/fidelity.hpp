@@ -1,0 +1,25 @@
+// The program chooses: a wanted accuracy becomes keys of the scene, by what was measured.
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "coupling/scene.hpp"
+
+namespace clog::trade {
+
+/// The measured settings that this program was built with: trade/measured.json.
+const nlohmann::json& measured_settings();
+
+struct ResolvedScene {
+  Scene scene;       ///< its fidelity is empty: it has become keys
+  std::string note;  ///< one line on what was chosen, or empty
+};
+
+/// Reads a scene; where it has a `fidelity`, the keys of the setting chosen replace those of the file, and
+/// those of the command line replace both.
+/// \throws Error as read_scene; if the preset is unknown, or both preset and tolerance are given
+ResolvedScene read_resolved_scene(const std::filesystem::path& file, const Overrides& overrides);
+
+}  // namespace clog::trade

@@ -1,0 +1,77 @@
+#include "trade/knobs.hpp"
+
+#include <fmt/format.h>
+
+namespace clog::trade {
+
+namespace {
+
+Overrides full_numerics(int mass_scale) {
+  return {fmt::format("time.mass_scale={}", mass_scale), "time.rotational_inertia_scale=1",
+          "time.step_fraction=0.02"};
+}
+
+/// The numerics that most knobs are turned on.
+Overrides cheap_with(const Overrides& more) {
+  Overrides overrides{"time.mass_scale=10", "time.rotational_inertia_scale=5", "time.step_fraction=0.04"};
+  overrides.insert(overrides.end(), more.begin(), more.end());
+  return overrides;
+}
+
+void add_numerics(std::vector<Setting>& all, const Scene& scene) {
+  const auto add = [&](const char* name, const char* knob, const Overrides& more) {
+    all.push_back({name, knob, "cheap", Kind::numerics, cheap_with(more)});
+  };
+  add("cheap_tau50", "step", {"time.step_fraction=0.02"});
+  add("cheap_tau20", "step", {"time.step_fraction=0.05"});
+  add("cheap_tau15", "step", {"time.step_fraction=0.0667"});
+  add("cheap_i1", "moment of inertia", {"time.rotational_inertia_scale=1"});
+  add("cheap_i10", "moment of inertia", {"time.rotational_inertia_scale=10"});
+  add("cheap_m100", "mass", {"time.mass_scale=100"});
+  add("cheap_m1000", "mass", {"time.mass_scale=1000"});
+  const double modulus = scene.contact.youngs_modulus;
+  const auto times = [&](double factor) {
+    return fmt::format("contact.youngs_modulus={} Pa", factor * modulus);
+  };
+  add("cheap_30MPa", "Young's modulus x 10", {times(10)});
+  add("cheap_300kPa", "Young's modulus / 10", {times(0.1)});
+  add("cheap_implicit_drag", "integrator", {"time.integrator=implicit_drag"});
+  add("cheap_implicit_fluid", "integrator", {"time.integrator=implicit_fluid"});
+  add("cheap_trilinear", "lookup", {"flow.lookup=trilinear"});
+  add("cheap_strips1", "strips", {"porosity.strips=1"});
+  add("cheap_strips6", "strips", {"porosity.strips=6"});
+  add("cheap_rare_porosity", "update of the strips", {"porosity.update_interval=5 ms"});
+  add("cheap_lubrication_short", "lubrication cut-off",
+      {fmt::format("lubrication.cutoff={} m", scene.particles.diameter / 4)});
+}
+
+void add_physics(std::vector<Setting>& all) {
+  const auto add = [&](const char* name, const char* knob, const Overrides& more,
+                       const char* against = "cheap") {
+    all.push_back({name, knob, against, Kind::physics, cheap_with(more)});
+  };
+  add("cheap_lubrication_off", "lubrication off", {"lubrication.enabled=false"});
+  add("cheap_lubrication_clamp", "lubrication held below 2 xi", {"lubrication.below_roughness=clamp"});
+  add("cheap_restitution03", "restitution", {"contact.restitution=0.3"});
+  add("cheap_superficial", "drag of the superficial velocity", {"drag.velocity=superficial"});
+  add("cheap_rolling0", "no rolling friction", {"contact.friction.rolling=0"});
+  add("cheap_torsion0", "no torsion friction", {"contact.friction.torsion=0"});
+  add("cheap_rolling12", "rolling friction doubled", {"contact.friction.rolling=1.2"});
+  add("cheap_doubling", "doubling torsion spring", {"contact.torsion_update=doubling"});
+  add("cheap_doubling_tau50", "doubling torsion spring, half the step",
+      {"time.step_fraction=0.02", "contact.torsion_update=doubling"}, "cheap_doubling");
+}
+
+}  // namespace
+
+std::vector<Setting> settings_for(const Scene& scene) {
+  std::vector<Setting> all{
+      {"tau50", "the scene as it stands", "", Kind::numerics, full_numerics(1)},
+      {"mass10", "mass", "tau50", Kind::numerics, full_numerics(10)},
+      {"cheap", "step and moment of inertia", "mass10", Kind::numerics, cheap_with({})}};
+  add_numerics(all, scene);
+  add_physics(all);
+  return all;
+}
+
+}  // namespace clog::trade

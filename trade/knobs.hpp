@@ -1,0 +1,28 @@
+// What can be made cheaper or dearer, and what is tried to learn what matters.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "coupling/scene.hpp"
+
+namespace clog::trade {
+
+/// Numerics may be chosen for their cost; physics never is: it is changed to see what follows.
+enum class Kind { numerics, physics };
+
+/// One way to run a scene.
+struct Setting {
+  std::string name;
+  std::string knob;       ///< what is turned, in words
+  std::string against;    ///< name of the setting that differs in this knob alone; empty: the reference
+  Kind kind = Kind::numerics;
+  Overrides overrides;    ///< of the scene
+};
+
+/// The matrix of the study, the reference first, each after the one that it is compared with. The
+/// reference is the scene as it stands; most knobs are turned on `cheap`, which a chain of
+/// refinements ties to the reference.
+std::vector<Setting> settings_for(const Scene& scene);
+
+}  // namespace clog::trade

@@ -1,0 +1,136 @@
+#include "trade/sample.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "coupling/run_file.hpp"
+#include "postprocess/run_groups.hpp"
+
+namespace clog::trade {
+
+namespace fs = std::filesystem;
+using postprocess::Totals;
+
+namespace {
+
+constexpr int pieces_per_run = 5;
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+
+void add_series(Piece& piece, const RunData& run, const postprocess::Window& span, double diameter) {
+  const auto& s = run.series;
+  for (std::size_t k = 0; k < s.time.size(); ++k) {
+    if (s.time[k] < span.start || s.time[k] >= span.end || s.count[k] == 0) continue;
+    ++piece.samples;
+    piece.packing_fraction += s.packing_fraction[k];
+    piece.coordination += 2 * static_cast<double>(s.contacts[k]) / static_cast<double>(s.count[k]);
+    piece.largest_overlap += s.largest_overlap[k] / diameter;
+  }
+}
+
+void add_run(Sample& sample, const fs::path& file) {
+  const RunData run = read_run_file(file);
+  const Scene scene = parse_scene(run.scene_text, file.string());
+  const double tau = scene.stokes_time();
+  const postprocess::ClogScale scale{tau, 0.5 * tau};
+  const postprocess::SeedRecord record = record_of(run, scene, scale);
+  for (int k = 0; k < pieces_per_run; ++k) {
+    const double length = (record.window.end - record.window.start) / pieces_per_run;
+    const postprocess::Window span{
+        record.window.start + k * length,
+        k + 1 == pieces_per_run ? record.window.end : record.window.start + (k + 1) * length};
+    Piece piece{run.seed, k, totals_of(record, scale, span)};
+    if (k + 1 < pieces_per_run) piece.totals.seeds = 0;
+    add_series(piece, run, span, scene.particles.diameter);
+    sample.pieces.push_back(piece);
+  }
+  ++sample.runs;
+  sample.simulated += run.end_time + run.provenance.at("fill_time_s").get<double>();
+  sample.particle_steps += run.provenance.at("particle_steps").get<double>();
+  sample.wall_seconds += run.provenance.at("wall_time_s").get<double>();
+}
+
+template <class Member>
+double sum(const std::vector<const Piece*>& pieces, Member member) {
+  double total = 0;
+  for (const Piece* piece : pieces) total += member(*piece);
+  return total;
+}
+
+using Pieces = std::vector<const Piece*>;
+
+double share(const Pieces& p, double Totals::*part, double Totals::*whole) {
+  return sum(p, [&](const Piece& x) { return x.totals.*part; }) /
+         sum(p, [&](const Piece& x) { return x.totals.*whole; });
+}
+
+double mean(const Pieces& p, double Piece::*member) {
+  return sum(p, [&](const Piece& x) { return x.*member; }) /
+         sum(p, [](const Piece& x) { return x.samples; });
+}
+
+double alpha(const Pieces& p) {
+  const double whole = sum(p, [](const Piece& x) { return x.totals.arrests - x.totals.censored; });
+  return whole > 0 ? 1 + whole / sum(p, [](const Piece& x) { return x.totals.log_exposure; }) : undefined;
+}
+
+}  // namespace
+
+Sample read_sample(const fs::path& folder) {
+  Sample sample;
+  std::vector<fs::path> files;
+  if (fs::is_directory(folder))
+    for (const auto& entry : fs::directory_iterator(folder))
+      if (entry.path().extension() == ".h5") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  for (const fs::path& file : files) add_run(sample, file);
+  return sample;
+}
+
+const std::vector<Observable>& observables() {
+  static const std::vector<Observable> all{
+      {"flow_rate_flowing", "passages per second within bursts", false,
+       [](const Pieces& p) { return share(p, &Totals::flowing_lapses, &Totals::flowing_time); }},
+      {"mean_burst", "<s>, passages per burst of one or more", false,
+       [](const Pieces& p) { return share(p, &Totals::escaped, &Totals::bursts); }},
+      {"share_failed", "share of the releases that nothing follows", true,
+       [](const Pieces& p) { return share(p, &Totals::failed, &Totals::releases); }},
+      {"alpha", "exponent of T >= tau/2, censored arrests included", false, alpha},
+      {"share_censored", "share of the arrests that no passage ended", true,
+       [](const Pieces& p) { return share(p, &Totals::censored, &Totals::arrests); }},
+      {"share_permanent", "share of the runs that end in a clog of 5 tau or more", true,
+       [](const Pieces& p) { return share(p, &Totals::permanent, &Totals::seeds); }},
+      {"packing_fraction", "of the channel upstream", false,
+       [](const Pieces& p) { return mean(p, &Piece::packing_fraction); }},
+      {"coordination", "contacts with other particles, per particle", false,
+       [](const Pieces& p) { return mean(p, &Piece::coordination); }},
+  };
+  return all;
+}
+
+Difference compare(const Observable& observable, const Sample& reference, const Sample& sample) {
+  std::map<std::pair<std::uint64_t, int>, const Piece*> known;
+  for (const Piece& piece : reference.pieces) known[{piece.seed, piece.number}] = &piece;
+  Pieces a, b;
+  for (const Piece& piece : sample.pieces)
+    if (const auto found = known.find({piece.seed, piece.number}); found != known.end()) {
+      a.push_back(found->second);
+      b.push_back(&piece);
+    }
+  const auto difference = [&](const std::vector<std::size_t>& drawn) {
+    Pieces of_a, of_b;
+    for (const std::size_t k : drawn) of_a.push_back(a[k]), of_b.push_back(b[k]);
+    const double before = observable.value(of_a), after = observable.value(of_b);
+    return observable.is_share ? after - before : (after - before) / before;
+  };
+  if (a.empty()) return {undefined, undefined, undefined, undefined, undefined};
+  // Shared among the observables (Bonferroni): a setting that changes nothing is called different once in
+  // twenty times, whichever observable says so.
+  const double level = 1 - 0.05 / static_cast<double>(observables().size());
+  const postprocess::Estimate e =
+      postprocess::bootstrap_over_seeds(a.size(), difference, {.level = level});
+  return {observable.value(a), observable.value(b), e.low, e.high, e.value};
+}
+
+}  // namespace clog::trade

@@ -1,0 +1,57 @@
+// What the runs of one setting measured, cut into pieces that can be resampled.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "postprocess/totals.hpp"
+
+namespace clog::trade {
+
+/// A fifth of a run. Pieces of one run are taken as independent: a burst lasts a hundredth of it, though
+/// packs remember for longer, so that intervals from a single seed are rather too narrow.
+struct Piece {
+  std::uint64_t seed = 0;
+  int number = 0;                  ///< within its run, from 0
+  postprocess::Totals totals;
+  double samples = 0;              ///< rows of the series in it
+  double packing_fraction = 0;     ///< sum over them [-]
+  double coordination = 0;         ///< sum of 2 contacts over particles [-]
+  double largest_overlap = 0;      ///< sum, in diameters [-]
+};
+
+struct Sample {
+  std::vector<Piece> pieces;
+  int runs = 0;
+  double simulated = 0;       ///< filling included [s]
+  double particle_steps = 0;
+  double wall_seconds = 0;
+};
+
+/// Reads the run files of a folder. Empty if it has none. \throws Error on a damaged file
+Sample read_sample(const std::filesystem::path& folder);
+
+/// One number of a sample: a ratio of sums over pieces, NaN where it is undefined.
+struct Observable {
+  std::string key;
+  std::string meaning;
+  bool is_share;   ///< differences are absolute, not relative
+  double (*value)(const std::vector<const Piece*>& pieces);
+};
+
+/// Everything that the study compares.
+const std::vector<Observable>& observables();
+
+/// A sample compared with a reference, over the pieces that both have: same seed, same part of the run.
+struct Difference {
+  double reference = 0, value = 0;
+  double low = 0, high = 0;       ///< of the difference, 95 % over all observables together; NaN where it cannot be given
+  double difference = 0;          ///< relative, or absolute for a share; NaN where it is undefined
+  /// Whether the interval excludes zero.
+  bool real() const { return low > 0 || high < 0; }
+};
+
+Difference compare(const Observable& observable, const Sample& reference, const Sample& sample);
+
+}  // namespace clog::trade

@@ -1,0 +1,72 @@
+#include "trade/study.hpp"
+
+#include <chrono>
+
+#include "coupling/publish_file.hpp"
+#include "coupling/require.hpp"
+#include "coupling/text_file.hpp"
+
+namespace clog::trade {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path refusal_file(const fs::path& folder, std::uint64_t seed) {
+  return folder / fmt::format("refused_{:04d}.txt", seed);
+}
+
+void put_down(const std::string& reason, const fs::path& file) {
+  fs::create_directories(file.parent_path());
+  publish_file(reason + "\n", file);
+}
+
+}  // namespace
+
+Scene scene_of(const Study& study, const Setting& setting) {
+  Overrides overrides = study.overrides;
+  overrides.insert(overrides.end(), setting.overrides.begin(), setting.overrides.end());
+  return read_scene(study.scene_file, overrides);
+}
+
+fs::path folder_of(const Study& study, const Setting& setting) {
+  return study.directory / "runs" / setting.name;
+}
+
+std::string refusal_of(const Study& study, const Setting& setting) {
+  for (const std::uint64_t seed : scene_of(study, setting).ensemble.seeds)
+    if (const fs::path file = refusal_file(folder_of(study, setting), seed); fs::exists(file)) {
+      std::string reason = read_text_file(file);
+      return reason.substr(0, reason.find('\n'));
+    }
+  return "";
+}
+
+void run_study(const Study& study, Ranks& ranks, const std::function<void(const std::string&)>& say) {
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + std::chrono::duration<double>(study.budget);
+  const Scene base = read_scene(study.scene_file, study.overrides);
+  const std::vector<Setting> settings = settings_for(base);
+  const auto& seeds = base.ensemble.seeds;
+  std::atomic<bool> stop = false;
+  const auto look = [&](const Progress&) {
+    if (Clock::now() >= end || (study.stop && study.stop->load())) stop = true;
+  };
+  const std::size_t count = settings.size() * seeds.size();
+  for (int k = ranks.next(); k < static_cast<int>(count); k = ranks.next()) {
+    const Setting& setting = settings[k % settings.size()];
+    const std::uint64_t seed = seeds[k / settings.size()];
+    const fs::path folder = folder_of(study, setting);
+    if (fs::exists(refusal_file(folder, seed))) continue;
+    look({});
+    if (stop && !fs::exists(folder / run_file_name(seed))) continue;
+    const Ensemble ensemble{scene_of(study, setting), study.flow, folder, &stop};
+    run_one_seed(ensemble, seed, look, [&](const SeedReport& report) {
+      if (report.failed) put_down(report.line, refusal_file(folder, seed));
+      if (!report.note) say(fmt::format("{}, seed {}: {}", setting.name, seed, report.line));
+    });
+  }
+  ranks.sum(0);  // nobody reads before everybody has written
+}
+
+}  // namespace clog::trade

@@ -1,0 +1,38 @@
+// The runs of a study: every setting with every seed, until a budget is spent.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+
+#include "coupling/flow_grid.hpp"
+#include "dem/ensemble.hpp"
+#include "trade/knobs.hpp"
+
+namespace clog::trade {
+
+struct Study {
+  std::filesystem::path scene_file;
+  Overrides overrides;                  ///< of all settings
+  const FlowGrid* flow = nullptr;
+  std::filesystem::path directory;
+  double budget = 0;                    ///< of wall-clock time [s]
+  const std::atomic<bool>* stop = nullptr;
+};
+
+/// Scene of one setting. \throws Error
+Scene scene_of(const Study& study, const Setting& setting);
+
+/// Folder of the run files of one setting.
+std::filesystem::path folder_of(const Study& study, const Setting& setting);
+
+/// Runs what is missing: seed by seed, so that whenever the budget ends the settings have equal seeds.
+/// Finished runs are kept, interrupted ones go on; a setting that the program refuses leaves the
+/// reason in its folder and is not tried again.
+void run_study(const Study& study, Ranks& ranks, const std::function<void(const std::string&)>& say);
+
+/// Why a setting was refused, or an empty text.
+std::string refusal_of(const Study& study, const Setting& setting);
+
+}  // namespace clog::trade
