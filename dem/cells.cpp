@@ -16,23 +16,25 @@ constexpr int most_cells_per_axis = 512;
 }  // namespace
 
 Cells::Cells(const Particles& p, double size) {
-  const std::vector<double>* axis[3] = {&p.x, &p.y, &p.z};
+  constexpr double ParticleState::*axis[3] = {&ParticleState::x, &ParticleState::y, &ParticleState::z};
   std::array<double, 3> low{}, edge{};
   for (int a = 0; a < 3; ++a) {
-    const auto [least, most] = std::minmax_element(axis[a]->begin(), axis[a]->end());
-    const double span = p.size() ? *most - *least : 0;
-    low[a] = p.size() ? *least : 0;
+    const auto [least, most] = std::ranges::minmax_element(p.states, {}, axis[a]);
+    const double span = p.size() ? (*most).*axis[a] - (*least).*axis[a] : 0;
+    low[a] = p.size() ? (*least).*axis[a] : 0;
     count_[a] = std::max(1, cell_number(span / size, most_cells_per_axis + 1));
     edge[a] = std::max(size, span / count_[a]);
   }
   const auto cell_of = [&](std::size_t i) {
     int c[3];
     for (int a = 0; a < 3; ++a)
-      c[a] = cell_number(((*axis[a])[i] - low[a]) / edge[a], count_[a]);
+      c[a] = cell_number((p[i].*axis[a] - low[a]) / edge[a], count_[a]);
     return cell_index(c[0], c[1], c[2]);
   };
   std::vector<int> cell(p.size());
-  start_.assign(static_cast<std::size_t>(count_[0]) * count_[1] * count_[2] + 1, 0);
+  const auto tiles = [&](int axis) { return (count_[axis] + tile_edge - 1) / tile_edge; };
+  tiles_z_ = tiles(2);
+  start_.assign(static_cast<std::size_t>(tiles(1)) * tiles_z_ * count_[0] * tile_edge * tile_edge + 1, 0);
   for (std::size_t i = 0; i < p.size(); ++i) {
     cell[i] = cell_of(i);
     ++start_[cell[i] + 1];

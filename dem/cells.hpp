@@ -1,7 +1,7 @@
-// Particles sorted into cubic cells along x, then y, then z: the order that keeps neighbours close
-// in memory.
+// Particles sorted into cubic cells, and these in an order that keeps neighbours close in memory.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -25,31 +25,43 @@ public:
   void for_each_pair(Visit&& visit) const;
 
 private:
-  int cell_index(int cx, int cy, int cz) const { return (cx * count_[1] + cy) * count_[2] + cz; }
+  /// Cells stand in columns along x, tile_edge wide: what a cell borders on is then seldom farther away
+  /// in memory than the nearest cache holds.
+  static constexpr int tile_edge = 8;
+
+  int cell_index(int cx, int cy, int cz) const {
+    const int tile = (cy / tile_edge) * tiles_z_ + cz / tile_edge;
+    return ((tile * count_[0] + cx) * tile_edge + cy % tile_edge) * tile_edge + cz % tile_edge;
+  }
+  std::array<int, 3> place_of(int cell) const {
+    const int z = cell % tile_edge, y = cell / tile_edge % tile_edge, column = cell / (tile_edge * tile_edge);
+    const int x = column % count_[0], tile = column / count_[0];
+    return {x, tile / tiles_z_ * tile_edge + y, tile % tiles_z_ * tile_edge + z};
+  }
 
   std::array<int, 3> count_{};
+  int tiles_z_ = 0;
   std::vector<int> start_;  // of each cell in order_, one more than there are cells
   std::vector<int> order_;
 };
 
 template <class Visit>
 void Cells::for_each_pair(Visit&& visit) const {
-  for (int cx = 0; cx < count_[0]; ++cx)
-    for (int cy = 0; cy < count_[1]; ++cy)
-      for (int cz = 0; cz < count_[2]; ++cz) {
-        const int own = cell_index(cx, cy, cz);
-        for (int i = start_[own]; i < start_[own + 1]; ++i) {
-          for (int j = i + 1; j < start_[own + 1]; ++j) visit(i, j);
-          for (int x = cx; x <= cx + 1 && x < count_[0]; ++x)
-            for (int y = cy - 1; y <= cy + 1; ++y)
-              for (int z = cz - 1; z <= cz + 1; ++z) {
-                if (y < 0 || y >= count_[1] || z < 0 || z >= count_[2]) continue;
-                const int other = cell_index(x, y, z);
-                if (other <= own) continue;
-                for (int j = start_[other]; j < start_[other + 1]; ++j) visit(i, j);
-              }
-        }
-      }
+  for (int own = 0; own + 1 < static_cast<int>(start_.size()); ++own) {
+    if (start_[own] == start_[own + 1]) continue;
+    const auto [cx, cy, cz] = place_of(own);
+    std::array<int, 27> later;  // neighbouring cells further on in the order
+    int cells = 0;
+    for (int x = std::max(cx - 1, 0); x <= std::min(cx + 1, count_[0] - 1); ++x)
+      for (int y = std::max(cy - 1, 0); y <= std::min(cy + 1, count_[1] - 1); ++y)
+        for (int z = std::max(cz - 1, 0); z <= std::min(cz + 1, count_[2] - 1); ++z)
+          if (const int other = cell_index(x, y, z); other > own) later[cells++] = other;
+    for (int i = start_[own]; i < start_[own + 1]; ++i) {
+      for (int j = i + 1; j < start_[own + 1]; ++j) visit(i, j);
+      for (int k = 0; k < cells; ++k)
+        for (int j = start_[later[k]]; j < start_[later[k] + 1]; ++j) visit(i, j);
+    }
+  }
 }
 
 }  // namespace clog

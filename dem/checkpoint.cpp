@@ -11,7 +11,7 @@ namespace clog {
 
 namespace {
 
-constexpr char version[] = "clogflow state 1\n";
+constexpr char version[] = "clogflow state 2\n";
 constexpr std::size_t version_size = sizeof version - 1, hash_size = 16;
 
 /// What is wrong with a file's content, or an empty text.

@@ -29,11 +29,11 @@ ClogState clog_state(const Particles& p, const Scene& scene) {
   std::vector<double> near, all;
   ClogState state{0, 0, -1e300};
   for (std::size_t i = 0; i < p.size(); ++i) {
-    if (p.x[i] >= scene.passages.plane) continue;
-    const double speed = std::sqrt(p.vx[i] * p.vx[i] + p.vy[i] * p.vy[i] + p.vz[i] * p.vz[i]);
+    if (p[i].x >= scene.passages.plane) continue;
+    const double speed = std::sqrt(p[i].vx * p[i].vx + p[i].vy * p[i].vy + p[i].vz * p[i].vz);
     all.push_back(speed);
-    if (p.x[i] > -clog_reach * scene.geometry.neck_width) near.push_back(speed);
-    state.position = std::max(state.position, p.x[i]);
+    if (p[i].x > -clog_reach * scene.geometry.neck_width) near.push_back(speed);
+    state.position = std::max(state.position, p[i].x);
   }
   std::vector<double>& speeds = near.empty() ? all : near;
   if (speeds.empty()) return {0, 0, 0};

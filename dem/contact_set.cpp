@@ -4,6 +4,12 @@
 
 namespace clog {
 
+namespace {
+
+std::size_t blocks(std::size_t rows) { return (rows + widest_vector - 1) / widest_vector; }
+
+}  // namespace
+
 void ContactSet::Rows::append(int one, int other, int number) {
   if (first.size() <= count) pad(2 * count + 1);
   first[count] = one;
@@ -14,7 +20,7 @@ void ContactSet::Rows::append(int one, int other, int number) {
 
 void ContactSet::Rows::pad(std::size_t rows) {
   for (auto* values : {&first, &second, &candidate})
-    if (values->size() < rows + widest_vector) values->resize(rows + widest_vector, 0);
+    if (values->size() < rows + row_padding) values->resize(rows + row_padding, 0);
 }
 
 void ContactSet::reset() {
@@ -23,18 +29,18 @@ void ContactSet::reset() {
 }
 
 void ContactSet::make_room() {
-  const std::size_t rows = touching_.count + watched_.count, padded = rows + widest_vector;
+  const std::size_t rows = touching_.count + watched_.count, padded = rows + row_padding;
   touching_.pad(rows);
   watched_.pad(rows);
   films_.pad(films_.count);
   if (changed_.size() < padded) changed_.resize(padded);
-  for (auto& values : spring_)
-    if (values.size() < padded) values.resize(padded, 0.0);
+  if (springs_.size() < blocks(rows)) springs_.resize(blocks(rows));
 }
 
-Springs<double> ContactSet::springs(std::size_t k) const {
-  const auto& s = spring_;
-  return {{s[0][k], s[1][k], s[2][k]}, {s[3][k], s[4][k], s[5][k]}, s[6][k]};
+Springs<double> ContactSet::springs(std::size_t row) const {
+  const auto& part = springs_[row / widest_vector].part;
+  const std::size_t k = row % widest_vector;
+  return {{part[0][k], part[1][k], part[2][k]}, {part[3][k], part[4][k], part[5][k]}, part[6][k]};
 }
 
 void ContactSet::add(const Candidates& list, int candidate, const Springs<double>& s) {
@@ -42,17 +48,15 @@ void ContactSet::add(const Candidates& list, int candidate, const Springs<double
                             s.rolling.y, s.rolling.z, s.torsion};
   const std::size_t row = touching_.count;
   touching_.append(list.first[candidate], list.second[candidate], candidate);
-  for (int c = 0; c < 7; ++c) {
-    if (spring_[c].size() <= row) spring_[c].resize(2 * row + widest_vector, 0.0);
-    spring_[c][row] = values[c];
-  }
+  if (springs_.size() < blocks(row + 1)) springs_.resize(2 * blocks(row + 1));
+  for (int part = 0; part < 7; ++part) spring_part(springs_.data(), part, row) = values[part];
 }
 
 ContactPointers ContactSet::pointers() {
   ContactPointers pointers{};
   pointers.touching = touching_.pointers();
   pointers.watched = watched_.pointers();
-  for (int c = 0; c < 7; ++c) pointers.spring[c] = spring_[c].data();
+  pointers.springs = springs_.data();
   pointers.changed = changed_.data();
   pointers.film_first = films_.first.data();
   pointers.film_second = films_.second.data();
@@ -65,14 +69,14 @@ bool ContactSet::sound(std::size_t candidates, std::size_t firsts, std::size_t s
   const std::size_t moving = touching_.count + watched_.count;
   if (moving < touching_.count || moving > candidates || films_.count > candidates) return false;
   if (moving + films_.count == 0) return true;
-  const auto has_room = [](const auto& values, std::size_t rows) { return values.size() >= rows + widest_vector; };
+  const auto has_room = [](const auto& values, std::size_t rows) { return values.size() >= rows + row_padding; };
   const auto fit = [&](const Rows& rows, std::size_t room) {
     return has_room(rows.first, room) && has_room(rows.second, room) && has_room(rows.candidate, room) &&
            point_below(rows.first, firsts) && point_below(rows.second, seconds) &&
            point_below(rows.candidate, candidates);
   };
   return fit(touching_, moving) && fit(watched_, moving) && fit(films_, films_.count) && has_room(changed_, moving) &&
-         std::all_of(spring_.begin(), spring_.end(), [&](const auto& values) { return has_room(values, moving); });
+         springs_.size() >= blocks(moving);
 }
 
 Springs<double> swapped(const Springs<double>& s) { return {-s.sliding, s.rolling, s.torsion}; }

@@ -3,7 +3,6 @@
 // only those that could begin to touch soon are looked at in every step.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -51,8 +50,7 @@ public:
 
   template <class Archive>
   void exchange(Archive& archive) {
-    for (auto& values : spring_) archive(values);
-    archive(touching_, watched_, films_, changed_, watched_lubricate_);
+    archive(springs_, touching_, watched_, films_, changed_, watched_lubricate_);
   }
 
 private:
@@ -74,7 +72,7 @@ private:
   void make_room();
 
   Rows touching_, watched_, films_;
-  std::array<std::vector<double>, 7> spring_;
+  std::vector<SpringBlock> springs_;
   std::vector<int> changed_;
   bool watched_lubricate_ = false;
 };

@@ -24,7 +24,7 @@ constexpr int most_iterations = 2000;
 Eigen::VectorXd scales(const AdvanceTask& step) {
   Eigen::VectorXd scale(static_cast<Eigen::Index>(step.particles.count));
   for (Eigen::Index i = 0; i < scale.size(); ++i)
-    scale[i] = 1 / std::sqrt(step.particles.mass[i] + (step.drag ? step.kick * step.drag[i] : 0));
+    scale[i] = 1 / std::sqrt(step.particles.particle[i].mass + (step.drag ? step.kick * step.drag[i] : 0));
   return scale;
 }
 
@@ -59,15 +59,17 @@ Rows film_rows(const std::vector<Film>& films, double kick, const Eigen::VectorX
 Eigen::VectorXd right_side(const AdvanceTask& step, Eigen::Index films,
                            const Eigen::VectorXd& scale) {
   const ParticlePointers& p = step.particles;
-  const double *v[] = {p.vx, p.vy, p.vz}, *f[] = {p.fx, p.fy, p.fz},
-               *u[] = {step.ux, step.uy, step.uz};
+  const double* u[] = {step.ux, step.uy, step.uz};
   Eigen::VectorXd right = Eigen::VectorXd::Zero(films + 3 * scale.size());
-  for (Eigen::Index i = 0; i < scale.size(); ++i)
+  for (Eigen::Index i = 0; i < scale.size(); ++i) {
+    const ParticleState& s = p.particle[i];
+    const double v[] = {s.vx, s.vy, s.vz}, f[] = {s.fx, s.fy, s.fz};
     for (int a = 0; a < 3; ++a) {
       const double drag = step.drag ? step.drag[i] * u[a][i] : 0;
       right[films + 3 * i + a] =
-          scale[i] * (p.mass[i] * v[a][i] + step.kick * (f[a][i] + step.body_force[a] + drag));
+          scale[i] * (s.mass * v[a] + step.kick * (f[a] + step.body_force[a] + drag));
     }
+  }
   return right;
 }
 
@@ -82,7 +84,7 @@ void add_implicit_films(const AdvanceTask& step, const std::vector<Film>& films)
   if (!right.allFinite()) return;  // the step that follows names the particle
   Eigen::VectorXd now(3 * scale.size());
   for (Eigen::Index i = 0; i < scale.size(); ++i)
-    now.segment<3>(3 * i) = Eigen::Vector3d(p.vx[i], p.vy[i], p.vz[i]) / scale[i];
+    now.segment<3>(3 * i) = Eigen::Vector3d(p.particle[i].vx, p.particle[i].vy, p.particle[i].vz) / scale[i];
 
   Eigen::LeastSquaresConjugateGradient<Rows> solver;
   solver.setTolerance(stop_at);
@@ -104,9 +106,9 @@ void add_implicit_films(const AdvanceTask& step, const std::vector<Film>& films)
         (-film.coefficient *
          dot(film.normal, Vector<double>{approach.x(), approach.y(), approach.z()})) *
         film.normal;
-    p.fx[film.first] += force.x, p.fy[film.first] += force.y, p.fz[film.first] += force.z;
+    p.particle[film.first].fx += force.x, p.particle[film.first].fy += force.y, p.particle[film.first].fz += force.z;
     if (film.second < 0) continue;
-    p.fx[film.second] -= force.x, p.fy[film.second] -= force.y, p.fz[film.second] -= force.z;
+    p.particle[film.second].fx -= force.x, p.particle[film.second].fy -= force.y, p.particle[film.second].fz -= force.z;
   }
 }
 

@@ -49,26 +49,26 @@ void Fluid::evaluate(Particles& p) {
     kernels_.sample_nearest(task);
   } else {
     for (std::size_t i = 0; i < p.size(); ++i) {
-      const int k = strip.strip_at(p.x[i]);
-      const auto u = field_.at(p.x[i], p.y[i], p.z[i]);
+      const int k = strip.strip_at(p[i].x);
+      const auto u = field_.at(p[i].x, p[i].y, p[i].z);
       ux_[i] = speed_up[k] * u[0], uy_[i] = speed_up[k] * u[1], uz_[i] = speed_up[k] * u[2];
-      coefficient_[i] = factor[k] * p.radius[i];
+      coefficient_[i] = factor[k] * p[i].radius;
     }
   }
   if (noise_.fluctuates()) add_fluctuation(p);
   if (!viscous_torque_) return;
   for (auto* values : {&turn_, &sx_, &sy_, &sz_}) values->resize(p.size());
   for (std::size_t i = 0; i < p.size(); ++i) {
-    const auto spin = field_.half_vorticity(p.x[i], p.y[i], p.z[i]);
+    const auto spin = field_.half_vorticity(p[i].x, p[i].y, p[i].z);
     sx_[i] = pulse * spin[0], sy_[i] = pulse * spin[1], sz_[i] = pulse * spin[2];
-    turn_[i] = stokes_torque_coefficient(viscosity_, 2 * p.radius[i]);
+    turn_[i] = stokes_torque_coefficient(viscosity_, 2 * p[i].radius);
   }
 }
 
 void Fluid::add_fluctuation(const Particles& p) {
   for (std::size_t i = 0; i < p.size(); ++i) {
     const Vector<double> u{ux_[i], uy_[i], uz_[i]};
-    const Vector<double> slip = u - Vector<double>{p.vx[i], p.vy[i], p.vz[i]};
+    const Vector<double> slip = u - Vector<double>{p[i].vx, p[i].vy, p[i].vz};
     const double scale = std::sqrt(std::min(dot(slip, slip), dot(u, u)));
     const auto factor = noise_.fluctuation(i);
     ux_[i] += scale * factor[0], uy_[i] += scale * factor[1], uz_[i] += scale * factor[2];

@@ -10,7 +10,7 @@ namespace clog {
 /// \param place  (x - start) / length [-]
 /// \param last   number of the last cell [-]
 template <class Real>
-Real place_within(Real place, double last) {
+[[gnu::always_inline]] inline Real place_within(Real place, double last) {
   return max(Real(0.0), min(place, Real(last)));
 }
 
@@ -18,7 +18,7 @@ Real place_within(Real place, double last) {
 /// \param place  (x - origin) / spacing [-]
 /// \param last   number of the last point [-]
 template <class Real>
-Real nearest_point(Real place, double last) {
+[[gnu::always_inline]] inline Real nearest_point(Real place, double last) {
   return place_within(place + Real(0.5), last);
 }
 

@@ -42,7 +42,7 @@ int Inlet::insert(Particles& p, const Fluid& fluid, Random& random, double time)
   const double r = model_->scene.particles.diameter / 2;
   std::vector<int> near;
   for (std::size_t i = 0; i < p.size(); ++i)
-    if (p.x[i] < high_.x() + r) near.push_back(static_cast<int>(i));
+    if (p[i].x < high_.x() + r) near.push_back(static_cast<int>(i));
   const Vec3 size = high_ - low_;
   const int attempts = attempts_per_place *
                        std::max(1, static_cast<int>(size.y() * size.z() / (4 * r * r)));
@@ -53,8 +53,8 @@ int Inlet::insert(Particles& p, const Fluid& fluid, Random& random, double time)
                  random.uniform(low_.y() + r, high_.y() - r),
                  random.uniform(low_.z() + r, high_.z() - r));
     const bool free = std::none_of(near.begin(), near.end(), [&](int i) {
-      const double apart = r + p.radius[i];
-      return (Vec3(p.x[i], p.y[i], p.z[i]) - c).squaredNorm() < apart * apart;
+      const double apart = r + p[i].radius;
+      return (Vec3(p[i].x, p[i].y, p[i].z) - c).squaredNorm() < apart * apart;
     });
     if (!free) {
       ++refused_;

@@ -9,23 +9,45 @@
 
 namespace clog {
 
+/// All that a contact asks of a particle and adds to it, in one place in memory: rows of four make
+/// one load each, and a transposition of what would be sixteen single loads for four contacts.
+struct alignas(32) ParticleState {
+  double x = 0, y = 0, z = 0, radius = 0;       ///< at time n [m]
+  double vx = 0, vy = 0, vz = 0, mass = 0;      ///< half a step before [m/s], with all scales [kg]
+  double wx = 0, wy = 0, wz = 0, inertia = 0;   ///< half a step before [rad/s], with all scales [kg m2]
+  double fx = 0, fy = 0, fz = 0, no_force = 0;  ///< sum of the forces but drag and body force [N]
+  double tx = 0, ty = 0, tz = 0, no_torque = 0; ///< sum of the torques [N m]
+};
+
+/// Doubles from one particle to the next, and to the loads of the same.
+inline constexpr int record_stride = sizeof(ParticleState) / sizeof(double), record_loads = 12;
+
 /// Plain pointers into Particles, so that the kernels instantiate no library code.
 struct ParticlePointers {
-  const double *radius, *mass, *inertia;
-  double *x, *y, *z, *vx, *vy, *vz, *wx, *wy, *wz;
-  double *fx, *fy, *fz, *tx, *ty, *tz;
-  double* state;  ///< of the first record: x y z r, vx vy vz m, wx wy wz 0
-  double* loads;  ///< of the first record: fx fy fz 0, tx ty tz 0
+  ParticleState* particle;
+  double *state, *loads;  ///< the same memory, of the first particle from x and from fx on
   std::size_t count;
 };
 
-/// Doubles in a particle's record, which holds all that a contact asks for: four at a time make one
-/// load and a transposition of what would be sixteen single loads for four contacts.
-inline constexpr int record_stride = 20, record_loads = 12;
-
-/// Doubles in the widest vector of any instruction set here; arrays that are read in whole vectors
-/// are padded by it.
+/// Doubles in the widest vector of any instruction set here.
 inline constexpr std::size_t widest_vector = 8;
+
+/// The hot loop asks for the particles of this many vectors ahead, so that they are there when needed.
+inline constexpr std::size_t vectors_ahead = 4;
+
+/// Rows of indices are read in whole vectors, and ahead.
+inline constexpr std::size_t row_padding = (vectors_ahead + 1) * widest_vector;
+
+/// Springs of as many contacts as the widest vector holds: one stream through memory instead of seven,
+/// which would also fall on each other in the nearest cache.
+struct alignas(64) SpringBlock {
+  double part[7][widest_vector];  ///< sliding x y z, rolling x y z, torsion
+};
+
+/// One of the seven parts of the springs of row `row`; those of a vector's rows stand side by side.
+inline double& spring_part(SpringBlock* springs, int part, std::size_t row) {
+  return springs[row / widest_vector].part[part][row % widest_vector];
+}
 
 /// Rows of a list: two particles, or a particle and a plane, and the candidate that they are.
 struct RowPointers {
@@ -36,7 +58,7 @@ struct RowPointers {
 /// A ContactSet. There is room for every row of `touching` in `watched` and the other way round.
 struct ContactPointers {
   RowPointers touching;
-  double* spring[7];  ///< of the touching: sliding x y z, rolling x y z, torsion, each side by side
+  SpringBlock* springs;  ///< of the touching
   RowPointers watched;  ///< candidates that may begin to touch before the next sorting
   int* changed;         ///< scratch, as long as the rows
   const int *film_first, *film_second;  ///< candidates that may lubricate and cannot touch
@@ -60,7 +82,7 @@ struct ContactTally {
   double largest_overlap = 0;  ///< [m]
 };
 
-/// Every index array is padded to whole vectors with valid indices.
+/// Every index array is padded by row_padding valid indices.
 struct PairTask {
   ParticlePointers particles;
   ContactPointers contacts;
@@ -93,7 +115,8 @@ struct FlowTask {
   double *ux, *uy, *uz, *drag;                        ///< [m/s], [N s/m]
 };
 
-/// Drag, kick and drift of every particle: v += a kick, x += v drift.
+/// Drag, kick and drift of every particle: v += a kick, x += v drift. The loads that did it are then
+/// cleared for the next step.
 struct AdvanceTask {
   ParticlePointers particles;
   const double *ux, *uy, *uz;  ///< fluid velocity at the particles [m/s]
@@ -104,6 +127,7 @@ struct AdvanceTask {
   double kick, drift;          ///< [s]
   bool implicit_drag;
   double passage;  ///< place of the passage plane [m]
+  double thrown;   ///< a particle as fast as this keeps its loads, so that they can be named [m/s]
 };
 
 struct AdvanceTally {
@@ -114,10 +138,8 @@ struct AdvanceTally {
 };
 
 struct Kernels {
-  const char* name;                         ///< instruction set
-  int lanes;                                ///< doubles in a vector
-  void (*pack)(const ParticlePointers&);    ///< state from the arrays; clears the packed loads
-  void (*unpack)(const ParticlePointers&);  ///< packed loads into fx ... tz
+  const char* name;  ///< instruction set
+  int lanes;         ///< doubles in a vector
   ContactTally (*collide_pairs)(const PairTask&, ContactTerms);
   ContactTally (*collide_planes)(const PlaneTask&, ContactTerms);
   void (*sample_nearest)(const FlowTask&);

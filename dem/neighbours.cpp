@@ -49,7 +49,7 @@ std::vector<int> Neighbours::rebuild(Particles& p, const std::vector<std::uint8_
     if (leaving.empty() || !leaving[i]) staying.push_back(static_cast<int>(i));
   std::vector<int> renumbered(p.size(), -1);
   p.reorder(staying);
-  const double radius = p.size() ? *std::max_element(p.radius.begin(), p.radius.end()) : 0;
+  const double radius = p.size() ? std::ranges::max(p.states, {}, &ParticleState::radius).radius : 0;
   const Cells cells(p, 2 * radius + reach.lubrication + reach.skin);
   p.reorder(cells.order());
   for (std::size_t k = 0; k < staying.size(); ++k)
@@ -58,8 +58,8 @@ std::vector<int> Neighbours::rebuild(Particles& p, const std::vector<std::uint8_
 
   first.clear(), second.clear();
   cells.for_each_pair([&](int i, int j) {
-    const double dx = p.x[i] - p.x[j], dy = p.y[i] - p.y[j], dz = p.z[i] - p.z[j];
-    const double far = p.radius[i] + p.radius[j] + reach.skin + reach.lubrication;
+    const double dx = p[i].x - p[j].x, dy = p[i].y - p[j].y, dz = p[i].z - p[j].z;
+    const double far = p[i].radius + p[j].radius + reach.skin + reach.lubrication;
     if (dx * dx + dy * dy + dz * dz >= far * far) return;
     first.push_back(i);
     second.push_back(j);
@@ -77,19 +77,19 @@ std::vector<int> Neighbours::rebuild(Particles& p, const std::vector<std::uint8_
 void Neighbours::sort(const Particles& p, double margin, const LubricationLaw& law) {
   contacts.sort({first.data(), second.data(), first.size()}, margin, law, [&](std::size_t k) {
     const int i = first[k], j = second[k];
-    const double dx = p.x[i] - p.x[j], dy = p.y[i] - p.y[j], dz = p.z[i] - p.z[j];
-    return std::sqrt(dx * dx + dy * dy + dz * dz) - p.radius[i] - p.radius[j];
+    const double dx = p[i].x - p[j].x, dy = p[i].y - p[j].y, dz = p[i].z - p[j].z;
+    return std::sqrt(dx * dx + dy * dy + dz * dz) - p[i].radius - p[j].radius;
   });
 }
 
 void Neighbours::measure(const Particles& p) {
-  const auto all_equal = [](const std::vector<double>& values) {
-    return std::ranges::adjacent_find(values, std::not_equal_to<>()) == values.end();
+  const auto all_equal = [&](double ParticleState::*part) {
+    return std::ranges::adjacent_find(p.states, std::not_equal_to<>(), part) == p.states.end();
   };
-  smallest_radius = p.size() > 0 ? *std::ranges::min_element(p.radius) : 0;
-  const bool equal = p.size() > 0 && all_equal(p.radius) && all_equal(p.mass);
-  equal_radius = equal ? p.radius[0] : 0;
-  equal_mass = equal ? p.mass[0] : 0;
+  smallest_radius = p.size() > 0 ? std::ranges::min(p.states, {}, &ParticleState::radius).radius : 0;
+  const bool equal = p.size() > 0 && all_equal(&ParticleState::radius) && all_equal(&ParticleState::mass);
+  equal_radius = equal ? p[0].radius : 0;
+  equal_mass = equal ? p[0].mass : 0;
 }
 
 bool Neighbours::sound(std::size_t particles) const {

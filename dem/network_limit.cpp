@@ -30,7 +30,7 @@ NetworkLimit::NetworkLimit(const Particles& particles)
 NetworkLimit::Vector6 NetworkLimit::scaled(int i, const Vector<double>& shift, const Vector<double>& turn) const {
   // Velocities times sqrt(mass), spins times sqrt(inertia): the mass matrix becomes one.
   Vector6 direction;
-  direction << eigen(shift) / std::sqrt(particles_.mass[i]), eigen(turn) / std::sqrt(particles_.inertia[i]);
+  direction << eigen(shift) / std::sqrt(particles_[i].mass), eigen(turn) / std::sqrt(particles_[i].inertia);
   return direction;
 }
 
@@ -41,7 +41,7 @@ void NetworkLimit::add(int i, const Vector6& direction, double stiffness, double
 }
 
 void NetworkLimit::add_contact(int i, int j, const ContactModes& modes) {
-  const double ratio = j < 0 ? 0 : particles_.mass[i] / particles_.mass[j];
+  const double ratio = j < 0 ? 0 : particles_[i].mass / particles_[j].mass;
   for (int k = 0; k < modes.count; ++k) {
     const ContactMode& mode = modes.mode[k];
     add(i, scaled(i, mode.shift, mode.turn_i), (1 + ratio) * mode.stiffness, (1 + ratio) * mode.dashpot);
@@ -60,8 +60,8 @@ void NetworkLimit::add_film(int i, int j, const Vector<double>& normal, double c
 
 void NetworkLimit::add_drag(int i, const Drag& drag) {
   Vector6 rates;
-  rates.head<3>().setConstant(drag.translation / particles_.mass[i]);
-  rates.tail<3>().setConstant(drag.rotation / particles_.inertia[i]);
+  rates.head<3>().setConstant(drag.translation / particles_[i].mass);
+  rates.tail<3>().setConstant(drag.rotation / particles_[i].inertia);
   if (drag.implicit) {
     implicit_[i] += rates;
   } else {

@@ -1,6 +1,7 @@
 #include "dem/particles.hpp"
 
-#include <memory>
+#include <algorithm>
+#include <cmath>
 
 #include "dem/sound.hpp"
 
@@ -18,46 +19,37 @@ void gather(std::vector<T>& values, const std::vector<int>& order) {
 }  // namespace
 
 bool Particles::sound(double largest_radius) const {
-  for (const auto* values : {&radius, &mass, &inertia, &x, &y, &z, &vx, &vy, &vz, &wx, &wy, &wz, &fx, &fy,
-                             &fz, &tx, &ty, &tz})
-    if (values->size() != size() || !all_finite(*values)) return false;
-  return passed.size() == size() && all_positive(radius) && all_positive(mass) && all_positive(inertia) &&
-         std::all_of(radius.begin(), radius.end(), [&](double r) { return r <= largest_radius; });
+  const auto possible = [&](const ParticleState& s) {
+    for (double value : {s.x, s.y, s.z, s.radius, s.vx, s.vy, s.vz, s.mass, s.wx, s.wy, s.wz, s.inertia})
+      if (!std::isfinite(value)) return false;
+    return s.radius > 0 && s.mass > 0 && s.inertia > 0 && s.radius <= largest_radius;
+  };
+  return states.size() == size() && passed.size() == size() && std::ranges::all_of(states, possible);
 }
 
 void Particles::add(const Particle& p) {
   id.push_back(p.id);
-  radius.push_back(p.radius);
-  mass.push_back(p.mass);
-  inertia.push_back(p.inertia);
-  x.push_back(p.x), y.push_back(p.y), z.push_back(p.z);
-  vx.push_back(p.vx), vy.push_back(p.vy), vz.push_back(p.vz);
-  wx.push_back(p.wx), wy.push_back(p.wy), wz.push_back(p.wz);
-  for (auto* load : {&fx, &fy, &fz, &tx, &ty, &tz}) load->push_back(0);
+  ParticleState state;
+  state.x = p.x, state.y = p.y, state.z = p.z, state.radius = p.radius;
+  state.vx = p.vx, state.vy = p.vy, state.vz = p.vz, state.mass = p.mass;
+  state.wx = p.wx, state.wy = p.wy, state.wz = p.wz, state.inertia = p.inertia;
+  states.push_back(state);
   passed.push_back(0);
+}
+
+void Particles::clear_loads() {
+  for (ParticleState& s : states) s.fx = s.fy = s.fz = s.tx = s.ty = s.tz = s.no_force = s.no_torque = 0;
 }
 
 void Particles::reorder(const std::vector<int>& order) {
   gather(id, order);
+  gather(states, order);
   gather(passed, order);
-  for (auto* values : {&radius, &mass, &inertia, &x, &y, &z, &vx, &vy, &vz, &wx, &wy, &wz, &fx, &fy,
-                       &fz, &tx, &ty, &tz})
-    gather(*values, order);
 }
 
 ParticlePointers pointers(Particles& p) {
-  // On a cache line's border, so that no load of four doubles spans two lines.
-  constexpr std::size_t line = 64;
-  const std::size_t bytes = sizeof(double) * record_stride * p.size();
-  p.records.resize(record_stride * p.size() + line / sizeof(double));
-  void* place = p.records.data();
-  std::size_t space = sizeof(double) * p.records.size();
-  double* records = static_cast<double*>(std::align(line, bytes, place, space));
-  return {p.radius.data(), p.mass.data(), p.inertia.data(), p.x.data(),  p.y.data(),
-          p.z.data(),      p.vx.data(),   p.vy.data(),      p.vz.data(), p.wx.data(),
-          p.wy.data(),     p.wz.data(),   p.fx.data(),      p.fy.data(), p.fz.data(),
-          p.tx.data(),     p.ty.data(),   p.tz.data(),      records,     records + record_loads,
-          p.size()};
+  auto* state = reinterpret_cast<double*>(p.states.data());
+  return {p.states.data(), state, state + record_loads, p.size()};
 }
 
 }  // namespace clog

@@ -1,4 +1,4 @@
-// The particles: one array per quantity, all of equal length.
+// The particles: for each its state, its number and whether it has passed.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace clog {
 
-/// State of one particle, for adding and reading.
+/// A particle to be added.
 struct Particle {
   std::int64_t id = 0;
   double radius = 0;              ///< [m]
@@ -21,21 +21,16 @@ struct Particle {
 
 struct Particles {
   std::vector<std::int64_t> id;  ///< never used twice in a run
-  std::vector<double> radius, mass, inertia;
-  std::vector<double> x, y, z;     ///< at time n
-  std::vector<double> vx, vy, vz;  ///< half a step before: the leapfrog form of velocity Verlet
-  std::vector<double> wx, wy, wz;
-  std::vector<double> fx, fy, fz;    ///< sum of the forces but drag and body force [N]
-  std::vector<double> tx, ty, tz;    ///< sum of the torques [N m]
-  std::vector<double> records;       ///< the hot loops' packed copies, see ParticlePointers
+  std::vector<ParticleState> states;
   std::vector<std::uint8_t> passed;  ///< 1 once the passage plane was crossed
 
   std::size_t size() const { return id.size(); }
+  const ParticleState& operator[](std::size_t i) const { return states[i]; }
+  ParticleState& operator[](std::size_t i) { return states[i]; }
 
   template <class Archive>
   void exchange(Archive& archive) {
-    archive(id, radius, mass, inertia, x, y, z, vx, vy, vz, wx, wy, wz, fx, fy, fz, tx, ty, tz,
-            passed);
+    archive(id, states, passed);
   }
 
   /// Whether particles read from a file have all their numbers, none of them impossible.
@@ -43,11 +38,13 @@ struct Particles {
 
   void add(const Particle& particle);
 
+  void clear_loads();
+
   /// Takes the particles in the given order; those not named are dropped.
   void reorder(const std::vector<int>& order);
 };
 
-/// The arrays as the kernels see them; valid until particles are added or reordered.
+/// The states as the kernels see them; valid until particles are added or reordered.
 ParticlePointers pointers(Particles& particles);
 
 }  // namespace clog

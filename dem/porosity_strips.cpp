@@ -26,16 +26,16 @@ void PorosityStrips::update(const Particles& p) {
   std::vector<double> solid(volume_.size(), 0.0);
   const double end = start_ + length_ * static_cast<double>(volume_.size());
   for (std::size_t i = 0; i < p.size(); ++i) {
-    const double r = p.radius[i];
-    if (p.x[i] - r >= end || p.x[i] + r <= start_) continue;
-    const int from = strip_at(p.x[i] - r), to = strip_at(p.x[i] + r);
-    if (from == to && p.x[i] + r <= end && p.x[i] - r >= start_) {
+    const double r = p[i].radius;
+    if (p[i].x - r >= end || p[i].x + r <= start_) continue;
+    const int from = strip_at(p[i].x - r), to = strip_at(p[i].x + r);
+    if (from == to && p[i].x + r <= end && p[i].x - r >= start_) {
       solid[from] += sphere_volume(r);
       continue;
     }
     for (int k = from; k <= to; ++k)
-      solid[k] += sphere_volume_below(p.x[i], r, start_ + (k + 1) * length_) -
-                  sphere_volume_below(p.x[i], r, start_ + k * length_);
+      solid[k] += sphere_volume_below(p[i].x, r, start_ + (k + 1) * length_) -
+                  sphere_volume_below(p[i].x, r, start_ + k * length_);
   }
   for (std::size_t k = 0; k < solid.size(); ++k) {
     porosity_[k] = 1 - solid[k] / volume_[k];

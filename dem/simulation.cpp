@@ -22,6 +22,9 @@ constexpr double longest_fill = 10;
 /// Friction is off for this many tau in a tap, as long as in a release of the paper's scene.
 constexpr double tap_duration = 0.23;
 
+/// A particle that moves farther than this share of its radius in one step has been thrown.
+constexpr double longest_way = 0.5;
+
 /// Steps for which a sorting of the candidates holds if the fastest particle keeps its speed: rarer
 /// sorting means more candidates to watch.
 constexpr double sorted_steps = 32;
@@ -50,7 +53,7 @@ Simulation::Simulation(const Scene& scene, const FlowGrid* flow, std::uint64_t s
     particles_.add(particle);
   }
   largest_radius_ = scene.inlet.enabled ? scene.particles.diameter / 2 : 0;
-  for (double r : particles_.radius) largest_radius_ = std::max(largest_radius_, r);
+  for (const ParticleState& p : particles_.states) largest_radius_ = std::max(largest_radius_, p.radius);
   walls_ = WallContacts(model_.walls, largest_radius_, model_.reach);
   data_.seed = seed;
   data_.scene_text = effective_scene(scene);
@@ -182,12 +185,12 @@ void Simulation::compute_forces() {
   const bool implicit_films = model_.scene.time.integrator == Integrator::implicit_fluid;
   const LubricationLaw film = implicit_films ? LubricationLaw{} : model_.lubrication;
   if (implicit_films) laws.lubrication = {};
-  kernels_.pack(p);
+  if (loads_used_) particles_.clear_loads();
+  loads_used_ = true;
   pair_tally_ = kernels_.collide_pairs(
       {p, n.contacts.pointers(), pair_law_, film, dt, n.equal_radius, n.equal_mass},
       model_.pair_terms);
   wall_tally_ = walls_.collide_planes(particles_, kernels_, laws);
-  kernels_.unpack(p);
   const ContactTally corners = walls_.collide_corners(particles_, laws);
   wall_tally_.contacts += corners.contacts;
   wall_tally_.largest_overlap = std::max(wall_tally_.largest_overlap, corners.largest_overlap);
@@ -207,14 +210,17 @@ AdvanceTask Simulation::advance_task() {
   task.drift = model_.dt;
   task.implicit_drag = s.time.integrator != Integrator::verlet;
   task.passage = model_.domain.passage;
+  task.thrown = longest_way * neighbours_.smallest_radius / model_.dt;
   return task;
 }
 
 void Simulation::advance() {
+  check_overlap();
   const AdvanceTask task = advance_task();
   kick_ = task.kick;
   const AdvanceTally tally = kernels_.advance(task);
-  check(tally);
+  if (particles_.size() > 0 && !(tally.largest_speed < task.thrown)) blow_up("thrown");
+  loads_used_ = false;
   way_ = tally.largest_speed * model_.dt;
   drifted_ += way_;
   drag_work_ += tally.drag_work;
@@ -231,7 +237,7 @@ void Simulation::feed_inlet(double time) {
   if (inlet_.insert(particles_, fluid_, random_, time) > 0) lists_stale_ = true;
   for (std::size_t i = before; i < particles_.size(); ++i) {
     const auto& p = particles_;
-    energy_in_ += 0.5 * p.mass[i] * (p.vx[i] * p.vx[i] + p.vy[i] * p.vy[i] + p.vz[i] * p.vz[i]);
+    energy_in_ += 0.5 * p[i].mass * (p[i].vx * p[i].vx + p[i].vy * p[i].vy + p[i].vz * p[i].vz);
   }
   next_insertion_ = time + inlet_.interval();
 }
@@ -241,18 +247,18 @@ void Simulation::take_out() {
   const Domain& d = model_.domain;
   leaving_.assign(p.size(), 0);
   for (std::size_t i = 0; i < p.size(); ++i) {
-    if (p.x[i] > d.outlet) {
+    if (p[i].x > d.outlet) {
       leaving_[i] = 1;
       energy_in_ -=
-          0.5 * p.mass[i] * (p.vx[i] * p.vx[i] + p.vy[i] * p.vy[i] + p.vz[i] * p.vz[i]) +
-          0.5 * p.inertia[i] * (p.wx[i] * p.wx[i] + p.wy[i] * p.wy[i] + p.wz[i] * p.wz[i]);
+          0.5 * p[i].mass * (p[i].vx * p[i].vx + p[i].vy * p[i].vy + p[i].vz * p[i].vz) +
+          0.5 * p[i].inertia * (p[i].wx * p[i].wx + p[i].wy * p[i].wy + p[i].wz * p[i].wz);
       continue;
     }
-    const Vec3 place(p.x[i], p.y[i], p.z[i]);
+    const Vec3 place(p[i].x, p[i].y, p[i].z);
     require((place.array() >= d.low.array()).all() && (place.array() <= d.high.array()).all(),
             "particle {} left the walls at ({:.4g}, {:.4g}, {:.4g}) m, t = {:.6g} s: lower "
             "time.step_fraction or raise contact.youngs_modulus",
-            p.id[i], p.x[i], p.y[i], p.z[i], time());
+            p.id[i], p[i].x, p[i].y, p[i].z, time());
   }
 }
 
@@ -283,9 +289,9 @@ void Simulation::find_passages() {
   };
   std::vector<Crossing> crossings;
   for (std::size_t i = 0; i < p.size(); ++i) {
-    if (p.x[i] < d.passage || p.passed[i]) continue;
+    if (p[i].x < d.passage || p.passed[i]) continue;
     p.passed[i] = 1;
-    crossings.push_back({p.vx[i] > 0 ? std::min((p.x[i] - d.passage) / p.vx[i], model_.dt) : 0,
+    crossings.push_back({p[i].vx > 0 ? std::min((p[i].x - d.passage) / p[i].vx, model_.dt) : 0,
                          static_cast<int>(i)});
   }
   std::stable_sort(crossings.begin(), crossings.end(),
@@ -293,8 +299,8 @@ void Simulation::find_passages() {
   for (const auto& [since, i] : crossings) {
     data_.passages.time.push_back(time() - since);
     data_.passages.id.push_back(p.id[i]);
-    data_.passages.y.push_back(p.y[i] - since * p.vy[i]);
-    data_.passages.z.push_back(p.z[i] - since * p.vz[i]);
+    data_.passages.y.push_back(p[i].y - since * p[i].vy);
+    data_.passages.z.push_back(p[i].z - since * p[i].vz);
     data_.passages.friction_off.push_back(watch_.friction_off());
     watch_.passed(time());
   }

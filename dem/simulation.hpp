@@ -102,7 +102,7 @@ private:
   void announce_step();  ///< \throws Error if the step is too large
   void watch_step();     ///< now and then: the limit of the contacts, and energy from nothing
   void look_at_limit();  ///< \throws Error if the run begins above it
-  void check(const AdvanceTally& tally) const;
+  void check_overlap() const;  ///< \throws Error if contacts are pressed too deep
   [[noreturn]] void blow_up(const char* cause) const;
   void add_pair(NetworkLimit& network, int i, int j) const;
   std::vector<Film> films() const;
@@ -155,6 +155,7 @@ private:
   double margin_ = 0;   // gaps may change by this much before the candidates are sorted anew [m]
   double drifted_when_sorted_ = 0;
   bool lists_stale_ = true, lists_are_new_ = false;
+  bool loads_used_ = true;  // the loads are those of the present positions, not yet cleared
   double next_insertion_ = 0, next_porosity_ = 0, next_series_ = 0, next_snapshot_ = 0;
   double particle_steps_ = 0;
   double drag_work_ = 0, body_work_ = 0;

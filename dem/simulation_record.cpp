@@ -17,25 +17,25 @@ namespace clog {
 Vector<double> Simulation::total_force(int i) const {
   const auto& p = particles_;
   const auto& body = model_.scene.body_force;
-  const Vector<double> other{p.fx[i] + body[0], p.fy[i] + body[1], p.fz[i] + body[2]};
-  const Vector<double> velocity{p.vx[i], p.vy[i], p.vz[i]};
+  const Vector<double> other{p[i].fx + body[0], p[i].fy + body[1], p[i].fz + body[2]};
+  const Vector<double> velocity{p[i].vx, p[i].vy, p[i].vz};
   return other + (model_.scene.time.integrator == Integrator::verlet
                       ? fluid_.drag_force(i, velocity)
-                      : fluid_.implicit_drag_force(i, velocity, other, next_kick() / p.mass[i]));
+                      : fluid_.implicit_drag_force(i, velocity, other, next_kick() / p[i].mass));
 }
 
 Vector<double> Simulation::velocity_now(int i) const {
   const auto& p = particles_;
   const double half = kick_ == 0 ? 0 : model_.dt / 2;
-  const Vector<double> velocity{p.vx[i], p.vy[i], p.vz[i]};
-  return velocity + half / p.mass[i] * total_force(i);
+  const Vector<double> velocity{p[i].vx, p[i].vy, p[i].vz};
+  return velocity + half / p[i].mass * total_force(i);
 }
 
 Vector<double> Simulation::spin_now(int i) const {
   const auto& p = particles_;
   const double half = kick_ == 0 ? 0 : model_.dt / 2;
-  const Vector<double> spin{p.wx[i], p.wy[i], p.wz[i]};
-  return spin + half / p.inertia[i] * Vector<double>{p.tx[i], p.ty[i], p.tz[i]};
+  const Vector<double> spin{p[i].wx, p[i].wy, p[i].wz};
+  return spin + half / p[i].inertia * Vector<double>{p[i].tx, p[i].ty, p[i].tz};
 }
 
 void Simulation::record() {
@@ -73,9 +73,9 @@ double Simulation::elastic_energy() const {
   for (std::size_t k = 0; k < n.contacts.size(); ++k) {
     const int i = n.contacts.first(k), j = n.contacts.second(k);
     ContactGeometry<double> g{};
-    const Vec3 apart(p.x[i] - p.x[j], p.y[i] - p.y[j], p.z[i] - p.z[j]);
-    g.overlap = p.radius[i] + p.radius[j] - apart.norm();
-    g.radius = p.radius[i] * p.radius[j] / (p.radius[i] + p.radius[j]);
+    const Vec3 apart(p[i].x - p[j].x, p[i].y - p[j].y, p[i].z - p[j].z);
+    g.overlap = p[i].radius + p[j].radius - apart.norm();
+    g.radius = p[i].radius * p[j].radius / (p[i].radius + p[j].radius);
     energy += stored_energy(model_.pair_law, g, n.contacts.springs(k));
   }
   return energy;
@@ -87,7 +87,7 @@ void Simulation::sample_series() {
   std::vector<double> speeds(p.size());
   for (std::size_t i = 0; i < p.size(); ++i) {
     const Vector<double> v = velocity_now(static_cast<int>(i)), w = spin_now(static_cast<int>(i));
-    kinetic += 0.5 * p.mass[i] * dot(v, v) + 0.5 * p.inertia[i] * dot(w, w);
+    kinetic += 0.5 * p[i].mass * dot(v, v) + 0.5 * p[i].inertia * dot(w, w);
     speeds[i] = std::sqrt(dot(v, v));
   }
   const double elastic = elastic_energy();
@@ -121,12 +121,12 @@ void Simulation::sample_snapshot() {
   };
   for (int i : order) {
     snapshot.id.push_back(p.id[i]);
-    snapshot.radius.push_back(p.radius[i]);
-    put(snapshot.position, {p.x[i], p.y[i], p.z[i]});
+    snapshot.radius.push_back(p[i].radius);
+    put(snapshot.position, {p[i].x, p[i].y, p[i].z});
     put(snapshot.velocity, velocity_now(i));
     put(snapshot.spin, spin_now(i));
     put(snapshot.force, total_force(i));
-    put(snapshot.torque, {p.tx[i], p.ty[i], p.tz[i]});
+    put(snapshot.torque, {p[i].tx, p[i].ty, p[i].tz});
   }
   data_.snapshots.push_back(std::move(snapshot));
 }

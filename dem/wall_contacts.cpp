@@ -17,7 +17,7 @@ using Touch = WallContacts::Touch;
 /// one sphere are farther apart unless the wall turns by a few degrees only.
 constexpr double same_place = 0.1;
 
-Vec3 centre_of(const Particles& p, int i) { return {p.x[i], p.y[i], p.z[i]}; }
+Vec3 centre_of(const Particles& p, int i) { return {p[i].x, p[i].y, p[i].z}; }
 
 Vector<double> to_vector(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
@@ -50,7 +50,7 @@ bool recall(std::vector<Touch>& memory, int particle, const Vec3& place, double 
 }
 
 ContactGeometry<double> geometry(const Particles& p, int i, const Vec3& normal, double overlap) {
-  return {to_vector(normal), overlap, p.radius[i], p.mass[i], p.radius[i] - 0.5 * overlap, 0.0};
+  return {to_vector(normal), overlap, p[i].radius, p[i].mass, p[i].radius - 0.5 * overlap, 0.0};
 }
 
 }  // namespace
@@ -91,7 +91,7 @@ void WallContacts::rebuild(const Particles& p, const std::vector<int>& renumbere
   std::vector<std::uint8_t> known;
   for (int i = 0; i < static_cast<int>(p.size()); ++i) {
     const Vec3 centre = centre_of(p, i);
-    const double reach = p.radius[i] + reach_.lubrication + reach_.skin;
+    const double reach = p[i].radius + reach_.lubrication + reach_.skin;
     Corner corner{i, {}};
     std::vector<int> planes;
     for (int t : bins_.near(centre)) {
@@ -109,7 +109,7 @@ void WallContacts::rebuild(const Particles& p, const std::vector<int>& renumbere
       nz_.push_back(plane.normal.z()), offset_.push_back(plane.offset);
       const Vec3 foot = centre - (plane.normal.dot(centre) - plane.offset) * plane.normal;
       recalled.push_back({});
-      known.push_back(recall(memory, i, foot, p.radius[i], recalled.back()));
+      known.push_back(recall(memory, i, foot, p[i].radius, recalled.back()));
     }
     if (!corner.triangles.empty()) corners_.push_back(std::move(corner));
   }
@@ -129,7 +129,7 @@ void WallContacts::rebuild(const Particles& p, const std::vector<int>& renumbere
 void WallContacts::sort(const Particles& p, double margin, const LubricationLaw& law) {
   contacts_.sort({particle_.data(), slot_.data(), slot_.size()}, margin, law, [&](std::size_t k) {
     const Vec3 normal(nx_[k], ny_[k], nz_[k]);
-    return normal.dot(centre_of(p, particle_[k])) - offset_[k] - p.radius[particle_[k]];
+    return normal.dot(centre_of(p, particle_[k])) - offset_[k] - p[particle_[k]].radius;
   });
 }
 
@@ -148,15 +148,15 @@ ContactTally WallContacts::collide_corners(Particles& p, const WallLaws& laws) {
     const int i = corner.particle;
     found.clear();
     surface_.closest_points(corner.triangles, centre_of(p, i),
-                            p.radius[i] + laws.lubrication.farthest, found);
+                            p[i].radius + laws.lubrication.farthest, found);
     for (const WallPoint& wall : found) {
-      const double overlap = p.radius[i] - wall.distance;
-      const Vector<double> velocity{p.vx[i], p.vy[i], p.vz[i]};
+      const double overlap = p[i].radius - wall.distance;
+      const Vector<double> velocity{p[i].vx, p[i].vy, p[i].vz};
       Vector<double> force{0, 0, 0}, torque{0, 0, 0};
       if (overlap > 0) {
         Touch touch{i, wall.point, wall.normal, overlap, {}};
-        recall(corner_touches_, i, wall.point, p.radius[i], touch.springs);
-        const ContactMotion<double> motion{velocity, {p.wx[i], p.wy[i], p.wz[i]}, {0, 0, 0}};
+        recall(corner_touches_, i, wall.point, p[i].radius, touch.springs);
+        const ContactMotion<double> motion{velocity, {p[i].wx, p[i].wy, p[i].wz}, {0, 0, 0}};
         const auto loads = contact_loads<ContactTerms{true, true, true}>(
             laws.contact, geometry(p, i, wall.normal, overlap), motion, laws.dt, touch.springs);
         force = loads.force;
@@ -167,12 +167,12 @@ ContactTally WallContacts::collide_corners(Particles& p, const WallLaws& laws) {
       } else if (laws.lubrication.viscosity > 0 &&
                  (laws.lubrication.clamp || -overlap >= laws.lubrication.nearest)) {
         const Vector<double> normal = to_vector(wall.normal);
-        const double c = lubrication_coefficient(laws.lubrication.viscosity, p.radius[i],
+        const double c = lubrication_coefficient(laws.lubrication.viscosity, p[i].radius,
                                                  std::max(-overlap, laws.lubrication.nearest));
         force = (-c * dot(velocity, normal)) * normal;
       }
-      p.fx[i] += force.x, p.fy[i] += force.y, p.fz[i] += force.z;
-      p.tx[i] += torque.x, p.ty[i] += torque.y, p.tz[i] += torque.z;
+      p[i].fx += force.x, p[i].fy += force.y, p[i].fz += force.z;
+      p[i].tx += torque.x, p[i].ty += torque.y, p[i].tz += torque.z;
     }
   }
   corner_touches_ = std::move(touches);
@@ -186,7 +186,7 @@ std::vector<Touch> WallContacts::touches(const Particles& p) const {
     const Vec3 normal(nx_[k], ny_[k], nz_[k]), centre = centre_of(p, i);
     const double height = normal.dot(centre) - offset_[k];
     all.push_back(
-        {i, centre - height * normal, normal, p.radius[i] - height, contacts_.springs(contact)});
+        {i, centre - height * normal, normal, p[i].radius - height, contacts_.springs(contact)});
   }
   return all;
 }
@@ -194,7 +194,7 @@ std::vector<Touch> WallContacts::touches(const Particles& p) const {
 std::vector<WallContacts::Gap> WallContacts::gaps(const Particles& p, double widest) const {
   std::vector<Gap> all;
   const auto add = [&](int i, const Vec3& normal, double distance) {
-    const double width = distance - p.radius[i];
+    const double width = distance - p[i].radius;
     if (width >= 0 && width <= widest) all.push_back({i, normal, width});
   };
   for (std::size_t k = 0; k < slot_.size(); ++k) {
@@ -205,7 +205,7 @@ std::vector<WallContacts::Gap> WallContacts::gaps(const Particles& p, double wid
   for (const Corner& corner : corners_) {
     const int i = corner.particle;
     found.clear();
-    surface_.closest_points(corner.triangles, centre_of(p, i), p.radius[i] + widest, found);
+    surface_.closest_points(corner.triangles, centre_of(p, i), p[i].radius + widest, found);
     for (const WallPoint& wall : found) add(i, wall.normal, wall.distance);
   }
   return all;

@@ -50,7 +50,7 @@ Outcome move(const Scene& scene, const FlowGrid* flow) {
   Outcome outcome;
   std::map<std::int64_t, Vec3> start;
   const Particles& p = simulation.particles();
-  const auto place = [&](std::size_t i) { return Vec3(p.x[i], p.y[i], p.z[i]); };
+  const auto place = [&](std::size_t i) { return Vec3(p[i].x, p[i].y, p[i].z); };
   for (std::size_t i = 0; i < p.size(); ++i) start[p.id[i]] = place(i);
   const RunData data = simulation.run();
   const RunData::Snapshot &first = data.snapshots.front(), &last = data.snapshots.back();

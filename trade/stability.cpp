@@ -132,7 +132,7 @@ Trial run_trial(const Column& column, double step, double duration, int look) {
     trial.kinetic /= std::max(counted, 1);
     trial.elastic = simulation.elastic_energy();
     const Particles& p = simulation.particles();
-    for (double z : p.z) trial.height += z / static_cast<double>(p.size());
+    for (const ParticleState& s : p.states) trial.height += s.z / static_cast<double>(p.size());
     trial.broke = !std::isfinite(trial.kinetic + trial.elastic + trial.height);
   } catch (const Error&) {
     trial.broke = true;

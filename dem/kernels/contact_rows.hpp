@@ -28,17 +28,20 @@ struct Changes {
 };
 
 /// Watched candidates whose gap is below zero become contacts with springs of length zero.
-/// \param gap  of the rows first + k, second + k
-template <class Gap>
-void begin_contacts(const ContactPointers& c, const Gap& gap) {
+/// \param gap    of the rows first + k, second + k
+/// \param ahead  asks for what gap() will need of a row and the next ones
+template <class Gap, class Ahead>
+void begin_contacts(const ContactPointers& c, const Gap& gap, const Ahead& ahead) {
   Changes changes{c.changed};
   const std::size_t count = *c.watched.count;
-  for (std::size_t from = 0; from < count; from += lanes)
+  for (std::size_t from = 0; from < count; from += lanes) {
+    ahead(from + vectors_ahead * lanes);
     changes.note(gap(c.watched.first + from, c.watched.second + from) < Lanes(0.0), from,
                  lanes_left(from, count));
+  }
   while (changes.count > 0) {
     const std::size_t at = *c.touching.count;
-    for (double* spring : c.spring) spring[at] = 0;
+    for (int part = 0; part < 7; ++part) spring_part(c.springs, part, at) = 0;
     move_row(c.watched, changes.rows[--changes.count], c.touching);
   }
 }
@@ -46,7 +49,8 @@ void begin_contacts(const ContactPointers& c, const Gap& gap) {
 void end_contacts(const ContactPointers& c, Changes& changes) {
   while (changes.count > 0) {
     const std::size_t at = changes.rows[--changes.count], last = *c.touching.count - 1;
-    for (double* spring : c.spring) spring[at] = spring[last];
+    for (int part = 0; part < 7; ++part)
+      spring_part(c.springs, part, at) = spring_part(c.springs, part, last);
     move_row(c.touching, at, c.watched);
   }
 }
@@ -54,7 +58,7 @@ void end_contacts(const ContactPointers& c, Changes& changes) {
 template <ContactTerms terms>
 Springs<Lanes> load_springs(const ContactPointers& s, std::size_t from) {
   const Lanes zero(0.0);
-  const auto read = [&](int c) { return load_lanes(s.spring[c] + from); };
+  const auto read = [&](int c) { return load_lanes(&spring_part(s.springs, c, from)); };
   Springs<Lanes> springs{{zero, zero, zero}, {zero, zero, zero}, zero};
   if constexpr (terms.sliding) springs.sliding = {read(0), read(1), read(2)};
   if constexpr (terms.rolling) springs.rolling = {read(3), read(4), read(5)};
@@ -65,7 +69,7 @@ Springs<Lanes> load_springs(const ContactPointers& s, std::size_t from) {
 /// Whole vectors: the arrays are padded, and a contact that begins sets its springs to zero.
 template <ContactTerms terms>
 void store_springs(const ContactPointers& s, std::size_t from, const Springs<Lanes>& springs) {
-  const auto write = [&](int c, const Lanes& v) { store_lanes(s.spring[c] + from, v); };
+  const auto write = [&](int c, const Lanes& v) { store_lanes(&spring_part(s.springs, c, from), v); };
   if constexpr (terms.sliding)
     write(0, springs.sliding.x), write(1, springs.sliding.y), write(2, springs.sliding.z);
   if constexpr (terms.rolling)

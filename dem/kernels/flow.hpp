@@ -19,12 +19,11 @@ struct Whole {
 
 [[gnu::always_inline]] inline void sample_some(const FlowTask& task, std::size_t i, int used) {
   const ParticlePointers& p = task.particles;
-  const double* place[3] = {p.x + i, p.y + i, p.z + i};
-  const Lanes x = load_part(place[0], used);
+  const Columns place = load_row(p, 0, i, used);
   const Whole strip(
-      place_within((x - Lanes(task.strip_start)) * Lanes(task.strips_per_length), task.last_strip));
+      place_within((place.c[0] - Lanes(task.strip_start)) * Lanes(task.strips_per_length), task.last_strip));
   const auto nearest = [&](int a) {
-    const Lanes along = (load_part(place[a], used) - Lanes(task.origin[a])) * Lanes(task.points_per_length);
+    const Lanes along = (place.c[a] - Lanes(task.origin[a])) * Lanes(task.points_per_length);
     return Whole(nearest_point(along, task.points[a] - 1.0));
   };
   const Whole i_x = nearest(0), i_y = nearest(1), i_z = nearest(2);
@@ -38,8 +37,7 @@ struct Whole {
   store_part(task.ux + i, component(0), used);
   store_part(task.uy + i, component(1), used);
   store_part(task.uz + i, component(2), used);
-  store_part(task.drag + i, load(task.drag_per_radius, strip.at) * load_part(p.radius + i, used),
-             used);
+  store_part(task.drag + i, load(task.drag_per_radius, strip.at) * place.c[3], used);
 }
 
 [[gnu::flatten]] void sample_nearest(const FlowTask& given) {

@@ -186,6 +186,26 @@ struct Records {
   }
 };
 
+/// So few particles stay in the second cache from step to step, and asking would only cost.
+constexpr std::size_t stay_near = 2000;
+
+/// Starts to bring the first so many doubles of particles near.
+[[gnu::always_inline]] inline void ask_for(const ParticlePointers& p, Index at, int parts = record_stride) {
+  if (p.count <= stay_near) return;
+  constexpr int line = 64 / sizeof(double);
+  for (int k = 0; k < lanes; ++k)
+    for (int part = 0; part < parts; part += line)
+      __builtin_prefetch(p.state + record_stride * at[k] + part, 1);
+}
+
+/// Row `row` of particles one after the other; beyond `used` the last one again.
+[[gnu::always_inline]] inline Columns load_row(const ParticlePointers& p, int row, std::size_t from,
+                                               int used) {
+  int at[lanes];
+  for (int k = 0; k < lanes; ++k) at[k] = k < used ? k : used - 1;
+  return load_records(p.state + record_stride * from + row, record_stride, at);
+}
+
 /// Position and radius, velocity and mass, or spin of the particles in each lane.
 struct Placed {
   Vector<Lanes> position;

@@ -52,6 +52,8 @@ PairMotion load_pair_motion(const PairTask& task, Index i, Index j) {
 template <bool equal>
 void lubricate(const PairTask& task, Index i, Index j, int used) {
   const LubricationLaw& law = task.lubrication;
+  ask_for(task.particles, i + vectors_ahead * lanes);
+  ask_for(task.particles, j + vectors_ahead * lanes);
   const PairPlace place = load_pair_place<equal>(task, i, j);
   const Lanes distance2 = dot(place.apart, place.apart);
   const Lanes gap = -place.overlap(sqrt(distance2));
@@ -70,6 +72,8 @@ template <ContactTerms terms, bool equal>
 Lanes collide(const PairTask& task, std::size_t from, int used) {
   const ParticlePointers& p = task.particles;
   const Index i = task.contacts.touching.first + from, j = task.contacts.touching.second + from;
+  ask_for(p, i + vectors_ahead * lanes);
+  ask_for(p, j + vectors_ahead * lanes);
   const PairPlace place = load_pair_place<equal>(task, i, j);
   const Lanes distance = sqrt(dot(place.apart, place.apart));
   const Lanes overlap = place.overlap(distance);
@@ -103,6 +107,9 @@ template <ContactTerms terms, bool equal>
   begin_contacts(c, [&](Index i, Index j) {
     const PairPlace place = load_pair_place<equal>(task, i, j);
     return -place.overlap(sqrt(dot(place.apart, place.apart)));
+  }, [&](std::size_t row) {
+    ask_for(task.particles, c.watched.first + row, 1);
+    ask_for(task.particles, c.watched.second + row, 1);
   });
   Lanes deepest(0.0);
   Changes ended{c.changed};

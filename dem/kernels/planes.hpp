@@ -26,6 +26,7 @@ template <ContactTerms terms>
 Lanes collide_plane(const PlaneTask& task, std::size_t from, int used) {
   const ParticlePointers& p = task.particles;
   const Index i = task.contacts.touching.first + from;
+  ask_for(p, i + vectors_ahead * lanes);
   const OverPlane over(task, i, task.contacts.touching.second + from);
   const Moving m = load_motion(p, i);
   ContactGeometry<Lanes> contact;
@@ -65,7 +66,9 @@ template <ContactTerms terms>
   // registers.
   const PlaneTask task = given;
   const ContactPointers& c = task.contacts;
-  begin_contacts(c, [&](Index i, Index slot) { return -OverPlane(task, i, slot).overlap; });
+  begin_contacts(
+      c, [&](Index i, Index slot) { return -OverPlane(task, i, slot).overlap; },
+      [&](std::size_t row) { ask_for(task.particles, c.watched.first + row, 1); });
   Lanes deepest(0.0);
   Changes ended{c.changed};
   for_vectors(*c.touching.count, [&](std::size_t from, int used) {

@@ -44,7 +44,7 @@ ContactTally pick_planes(const PlaneTask& task, ContactTerms terms) {
 }
 
 constexpr Kernels make_kernels(const char* name) {
-  return {name, lanes, pack, unpack, pick_pairs, pick_planes, sample_nearest, advance};
+  return {name, lanes, pick_pairs, pick_planes, sample_nearest, advance};
 }
 
 }  // namespace

@@ -54,7 +54,6 @@ struct Lists {
     const double skin = 0.1 * crowd_diameter;
     neighbours.rebuild(particles, {}, {skin, lubrication});
     neighbours.sort(particles, 0.01 * skin, film);
-    kernels.pack(pointers(particles));
   }
 
   PairTask task() {
@@ -105,7 +104,6 @@ void wall_contacts(benchmark::State& state) {
   laws.dt = 7e-8;
   walls.sort(particles, 0.01 * reach.skin, laws.lubrication);
   const Kernels& kernels = select_kernels();
-  kernels.pack(pointers(particles));
   ContactTally tally;
   for (auto _ : state) tally = walls.collide_planes(particles, kernels, laws);
   count(state, static_cast<std::size_t>(tally.contacts));

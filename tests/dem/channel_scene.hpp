@@ -25,9 +25,9 @@ inline double deepest_pair(const Particles& p) {
   double deepest = 0;
   for (std::size_t i = 0; i < p.size(); ++i)
     for (std::size_t j = i + 1; j < p.size(); ++j)
-      deepest = std::max(deepest, p.radius[i] + p.radius[j] -
-                                      std::hypot(p.x[i] - p.x[j], p.y[i] - p.y[j], p.z[i] - p.z[j]));
-  return deepest / (2 * p.radius.front());
+      deepest = std::max(deepest, p[i].radius + p[j].radius -
+                                      std::hypot(p[i].x - p[j].x, p[i].y - p[j].y, p[i].z - p[j].z));
+  return deepest / (2 * p[0].radius);
 }
 
 }  // namespace clog::test

@@ -104,18 +104,17 @@ public:
     throw Error("no such particle");
   }
 
-  Vec3 position(std::int64_t id) const { return get(&Particles::x, &Particles::y, &Particles::z, id); }
-  Vec3 velocity(std::int64_t id) const { return get(&Particles::vx, &Particles::vy, &Particles::vz, id); }
-  Vec3 spin(std::int64_t id) const { return get(&Particles::wx, &Particles::wy, &Particles::wz, id); }
-  Vec3 force(std::int64_t id) const { return get(&Particles::fx, &Particles::fy, &Particles::fz, id); }
-  Vec3 torque(std::int64_t id) const { return get(&Particles::tx, &Particles::ty, &Particles::tz, id); }
+  Vec3 position(std::int64_t id) const { return get(&ParticleState::x, &ParticleState::y, &ParticleState::z, id); }
+  Vec3 velocity(std::int64_t id) const { return get(&ParticleState::vx, &ParticleState::vy, &ParticleState::vz, id); }
+  Vec3 spin(std::int64_t id) const { return get(&ParticleState::wx, &ParticleState::wy, &ParticleState::wz, id); }
+  Vec3 force(std::int64_t id) const { return get(&ParticleState::fx, &ParticleState::fy, &ParticleState::fz, id); }
+  Vec3 torque(std::int64_t id) const { return get(&ParticleState::tx, &ParticleState::ty, &ParticleState::tz, id); }
 
 private:
-  using Array = std::vector<double> Particles::*;
-  Vec3 get(Array x, Array y, Array z, std::int64_t id) const {
-    const Particles& p = simulation_.particles();
-    const std::size_t i = at(id);
-    return {(p.*x)[i], (p.*y)[i], (p.*z)[i]};
+  using Part = double ParticleState::*;
+  Vec3 get(Part x, Part y, Part z, std::int64_t id) const {
+    const ParticleState& p = simulation_.particles()[at(id)];
+    return {p.*x, p.*y, p.*z};
   }
 
   ScratchFile file_;

@@ -48,25 +48,25 @@ private:
     return found == springs_.end() ? Springs<double>{} : found->second;
   }
 
-  static Vector<double> place(const Particles& p, int i) { return {p.x[i], p.y[i], p.z[i]}; }
-  static Vector<double> velocity(const Particles& p, int i) { return {p.vx[i], p.vy[i], p.vz[i]}; }
-  static Vector<double> spin(const Particles& p, int i) { return {p.wx[i], p.wy[i], p.wz[i]}; }
+  static Vector<double> place(const Particles& p, int i) { return {p[i].x, p[i].y, p[i].z}; }
+  static Vector<double> velocity(const Particles& p, int i) { return {p[i].vx, p[i].vy, p[i].vz}; }
+  static Vector<double> spin(const Particles& p, int i) { return {p[i].wx, p[i].wy, p[i].wz}; }
 
   void pair(const Model& model, const Particles& p, const std::pair<int, int>& id,
             const std::pair<int, int>& at, double dt, Touching& touching, Loads& sum) {
     const auto [i, j] = at;
     const Vector<double> apart = place(p, i) - place(p, j);
     const double distance = std::sqrt(dot(apart, apart));
-    const double gap = distance - p.radius[i] - p.radius[j];
-    const double radius = p.radius[i] * p.radius[j] / (p.radius[i] + p.radius[j]);
+    const double gap = distance - p[i].radius - p[j].radius;
+    const double radius = p[i].radius * p[j].radius / (p[i].radius + p[j].radius);
     const Vector<double> normal = (1 / distance) * apart;
     const Vector<double> moves = velocity(p, i) - velocity(p, j);
     Vector<double> force{0, 0, 0};
     if (gap < 0) {
       ++sum.contacts;
       Springs<double> springs = remembered(id);
-      const ContactGeometry<double> g{normal, -gap, radius, p.mass[i] * p.mass[j] / (p.mass[i] + p.mass[j]),
-                                      p.radius[i] + gap / 2, p.radius[j] + gap / 2};
+      const ContactGeometry<double> g{normal, -gap, radius, p[i].mass * p[j].mass / (p[i].mass + p[j].mass),
+                                      p[i].radius + gap / 2, p[j].radius + gap / 2};
       const auto loads = contact_loads<all>(model.pair_law, g, {moves, spin(p, i), spin(p, j)}, dt, springs);
       touching[id] = springs;
       force = loads.force;
@@ -83,20 +83,20 @@ private:
   }
 
   void box(const Model& model, const Particles& p, int id, int i, double dt, Touching& touching, Loads& sum) {
-    const double centre[3] = {p.x[i], p.y[i], p.z[i]};
+    const double centre[3] = {p[i].x, p[i].y, p[i].z};
     for (int wall = 0; wall < 6; ++wall) {
       const int axis = wall / 2;
       const bool upper = wall % 2;
       const double height = upper ? model.scene.box.max[axis] - centre[axis]
                                   : centre[axis] - model.scene.box.min[axis];
-      const double overlap = p.radius[i] - height;
+      const double overlap = p[i].radius - height;
       if (overlap <= 0) continue;
       ++sum.wall_contacts;
       double n[3] = {0, 0, 0};
       n[axis] = upper ? -1 : 1;
       Springs<double> springs = remembered({-1 - wall, id});
-      const ContactGeometry<double> g{{n[0], n[1], n[2]}, overlap, p.radius[i], p.mass[i],
-                                      p.radius[i] - overlap / 2, 0};
+      const ContactGeometry<double> g{{n[0], n[1], n[2]}, overlap, p[i].radius, p[i].mass,
+                                      p[i].radius - overlap / 2, 0};
       const auto loads = contact_loads<all>(model.wall_laws.contact, g,
                                             {velocity(p, i), spin(p, i), {0, 0, 0}}, dt, springs);
       touching[{-1 - wall, id}] = springs;

@@ -22,12 +22,12 @@ void expect_same_loads(Laboratory& lab, const Loads& expected, int number, doubl
   ASSERT_EQ(p.size(), expected.force.size());
   for (std::size_t i = 0; i < p.size(); ++i) {
     const auto &f = expected.force[p.id[i]], &t = expected.torque[p.id[i]];
-    ASSERT_NEAR(p.fx[i], f.x, rounding * largest_force) << "step " << number << " particle " << p.id[i];
-    ASSERT_NEAR(p.fy[i], f.y, rounding * largest_force);
-    ASSERT_NEAR(p.fz[i], f.z, rounding * largest_force);
-    ASSERT_NEAR(p.tx[i], t.x, rounding * largest_torque) << "step " << number << " particle " << p.id[i];
-    ASSERT_NEAR(p.ty[i], t.y, rounding * largest_torque);
-    ASSERT_NEAR(p.tz[i], t.z, rounding * largest_torque);
+    ASSERT_NEAR(p[i].fx, f.x, rounding * largest_force) << "step " << number << " particle " << p.id[i];
+    ASSERT_NEAR(p[i].fy, f.y, rounding * largest_force);
+    ASSERT_NEAR(p[i].fz, f.z, rounding * largest_force);
+    ASSERT_NEAR(p[i].tx, t.x, rounding * largest_torque) << "step " << number << " particle " << p.id[i];
+    ASSERT_NEAR(p[i].ty, t.y, rounding * largest_torque);
+    ASSERT_NEAR(p[i].tz, t.z, rounding * largest_torque);
   }
   EXPECT_EQ(lab->pair_tally().contacts, expected.contacts);
   EXPECT_EQ(lab->wall_tally().contacts, expected.wall_contacts);

@@ -42,9 +42,8 @@ TEST(FilledStart, ReachesThePapersSixtyLargeParticles) {
 }
 
 double slow_share(const Particles& p, double speed) {
-  const auto slow = std::count_if(p.vx.begin(), p.vx.end(), [&, k = 0](double) mutable {
-    const int i = k++;
-    return std::hypot(p.vx[i], p.vy[i], p.vz[i]) < speed;
+  const auto slow = std::ranges::count_if(p.states, [&](const ParticleState& s) {
+    return std::hypot(s.vx, s.vy, s.vz) < speed;
   });
   return static_cast<double>(slow) / static_cast<double>(p.size());
 }

@@ -186,7 +186,7 @@ TEST(ImplicitFilms, ThatCannotBeSolvedForAreAnError) {
 
 TEST(ImplicitFilms, LeaveANaNToTheStepThatNamesIt) {
   Laboratory lab(film_scene(1e-8), chain(3));
-  lab->particles().vy[1] = std::nan("");
+  lab->particles()[1].vy = std::nan("");
   EXPECT_THAT(refusal([&] { lab.step(); }), HasSubstr("particle 1 "));
 }
 

@@ -127,12 +127,12 @@ TEST(FlowField, ManyPlacesAtOnceAsOneByOne) {
   for (const Kernels* kernels : {&kernels_x86_64, &select_kernels()}) {
     kernels->sample_nearest(task);
     for (int k = 0; k < 37; ++k) {
-      const Vec3 u = at(field, {particles.x[k], particles.y[k], particles.z[k]});
-      const int strip = particles.x[k] >= 0;
+      const Vec3 u = at(field, {particles[k].x, particles[k].y, particles[k].z});
+      const int strip = particles[k].x >= 0;
       EXPECT_EQ(ux[k], speed_up[strip] * u.x()) << kernels->name << " " << k;
       EXPECT_EQ(uy[k], speed_up[strip] * u.y());
       EXPECT_EQ(uz[k], speed_up[strip] * u.z());
-      EXPECT_EQ(drag[k], drag_per_radius[strip] * particles.radius[k]);
+      EXPECT_EQ(drag[k], drag_per_radius[strip] * particles[k].radius);
     }
   }
 }

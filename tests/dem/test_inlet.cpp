@@ -30,10 +30,10 @@ TEST(Inlet, NeverInsertsIntoAnotherOrAWall) {
   EXPECT_LE(deepest_pair(p), 0);
   const double r = bench.scene.particles.diameter / 2;
   for (std::size_t i = 0; i < p.size(); ++i) {
-    EXPECT_GE(p.x[i] - r, channel_start(bench.scene));
-    EXPECT_LE(std::abs(p.y[i]) + r, bench.scene.geometry.channel_width / 2);
-    EXPECT_GE(p.z[i] - r, 0);
-    EXPECT_LE(p.z[i] + r, bench.scene.geometry.neck_height);
+    EXPECT_GE(p[i].x - r, channel_start(bench.scene));
+    EXPECT_LE(std::abs(p[i].y) + r, bench.scene.geometry.channel_width / 2);
+    EXPECT_GE(p[i].z - r, 0);
+    EXPECT_LE(p[i].z + r, bench.scene.geometry.neck_height);
   }
 }
 
@@ -42,7 +42,7 @@ TEST(Inlet, StartsParticlesWithTheFlow) {
   bench.inlet.insert(bench.particles, bench.fluid, bench.random, 0);
   const Particles& p = bench.particles;
   for (std::size_t i = 0; i < p.size(); ++i)
-    EXPECT_EQ(p.vx[i], bench.fluid.field().at(p.x[i], p.y[i], p.z[i])[0]);
+    EXPECT_EQ(p[i].vx, bench.fluid.field().at(p[i].x, p[i].y, p[i].z)[0]);
 }
 
 TEST(Inlet, WhenFullTriesABoundedNumberOfTimesAndCounts) {

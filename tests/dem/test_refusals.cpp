@@ -24,11 +24,11 @@ TEST(BlowUp, NamesStepParticleForceAndKnob) {
 
 TEST(BlowUp, IsSeenInTheStepOfTheFirstNaN) {
   Laboratory lab(laboratory_scene({3e6, 0.35, 1062, 33e-6}, 1e-7), std::vector<Particle>(11, {.radius = 16.5e-6}));
-  for (int k = 0; k < 11; ++k) lab->particles().x[k] = 1e-3 * k;
+  for (int k = 0; k < 11; ++k) lab->particles()[k].x = 1e-3 * k;
   lab.step();
   // In any lane of any vector, and whatever fast or slow particles come after it.
-  lab->particles().vy[2] = std::nan("");
-  lab->particles().vx[9] = 1e-3;
+  lab->particles()[2].vy = std::nan("");
+  lab->particles()[9].vx = 1e-3;
   EXPECT_THAT(refusal([&] { lab.step(); }), AllOf(HasSubstr("blow-up at step 1"), HasSubstr("moves at nan m/s")));
 }
 

@@ -44,9 +44,9 @@ TEST(StlScene, ParticlesEnterBetweenTheWalls) {
   EXPECT_GT(p.size(), 100u);
   const double r = scene.particles.diameter / 2;
   for (std::size_t i = 0; i < p.size(); ++i) {
-    EXPECT_GE(p.x[i] - r, -480.001e-6);
-    EXPECT_LE(p.x[i] + r, -179.9e-6);
-    EXPECT_LE(std::abs(p.y[i]) + r, 150.001e-6);
+    EXPECT_GE(p[i].x - r, -480.001e-6);
+    EXPECT_LE(p[i].x + r, -179.9e-6);
+    EXPECT_LE(std::abs(p[i].y) + r, 150.001e-6);
   }
 }
 

@@ -32,18 +32,17 @@ public:
   }
 
   Vec3 force(const Vec3& centre, const Vec3& velocity = Vec3::Zero()) {
-    p_.x[0] = centre.x(), p_.y[0] = centre.y(), p_.z[0] = centre.z();
-    p_.vx[0] = velocity.x(), p_.vy[0] = velocity.y(), p_.vz[0] = velocity.z();
+    p_[0].x = centre.x(), p_[0].y = centre.y(), p_[0].z = centre.z();
+    p_[0].vx = velocity.x(), p_[0].vy = velocity.y(), p_[0].vz = velocity.z();
     const Kernels& kernels = select_kernels();
-    kernels.pack(pointers(p_));
+    p_.clear_loads();
     contacts_ = walls_.collide_planes(p_, kernels, laws_).contacts;
-    kernels.unpack(pointers(p_));
     contacts_ += walls_.collide_corners(p_, laws_).contacts;
-    return {p_.fx[0], p_.fy[0], p_.fz[0]};
+    return {p_[0].fx, p_[0].fy, p_[0].fz};
   }
 
   Vec3 force_with_new_lists(const Vec3& centre) {
-    p_.x[0] = centre.x(), p_.y[0] = centre.y(), p_.z[0] = centre.z();
+    p_[0].x = centre.x(), p_[0].y = centre.y(), p_[0].z = centre.z();
     rebuild();
     return force(centre);
   }

@@ -186,8 +186,8 @@ struct PairMotion {
 PairMotion collide(Scene scene, const std::vector<Particle>& spheres, double second_mass_factor) {
   Laboratory lab(scene, spheres);
   const std::size_t second = lab.at(1);
-  lab->particles().mass[second] *= second_mass_factor;
-  lab->particles().inertia[second] *= second_mass_factor;
+  lab->particles()[second].mass *= second_mass_factor;
+  lab->particles()[second].inertia *= second_mass_factor;
   for (bool met = false;;) {
     lab.step();
     const bool touching = lab->pair_tally().contacts > 0;

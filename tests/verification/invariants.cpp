@@ -18,12 +18,12 @@ struct Momentum {
 Momentum momentum_of(const Particles& p) {
   Momentum sum;
   for (std::size_t i = 0; i < p.size(); ++i) {
-    const Vec3 x(p.x[i], p.y[i], p.z[i]), v(p.vx[i], p.vy[i], p.vz[i]), w(p.wx[i], p.wy[i], p.wz[i]);
-    const Vec3 spin = p.inertia[i] * w;
-    sum.linear += p.mass[i] * v;
-    sum.angular += p.mass[i] * x.cross(v) + spin;
-    sum.linear_scale += p.mass[i] * v.norm();
-    sum.angular_scale += p.mass[i] * x.cross(v).norm() + spin.norm();
+    const Vec3 x(p[i].x, p[i].y, p[i].z), v(p[i].vx, p[i].vy, p[i].vz), w(p[i].wx, p[i].wy, p[i].wz);
+    const Vec3 spin = p[i].inertia * w;
+    sum.linear += p[i].mass * v;
+    sum.angular += p[i].mass * x.cross(v) + spin;
+    sum.linear_scale += p[i].mass * v.norm();
+    sum.angular_scale += p[i].mass * x.cross(v).norm() + spin.norm();
   }
   return sum;
 }
