@@ -23,7 +23,8 @@ constexpr double scattered_packing = 0.30;
 /// Bounds the search for room; the channel is filled less densely where it ends it.
 constexpr int attempts_per_scattered = 200;
 
-/// Depth of the slab in diameters: spheres enter at any depth, so no layers form.
+/// Depth of the slab in diameters, if the straight channel is as long: spheres enter at any depth, so no
+/// layers form.
 constexpr double slab_depth = 2;
 
 }  // namespace
@@ -34,7 +35,7 @@ Inlet::Inlet(const Model& model)
   const Scene& s = model.scene;
   const double x = channel_start(s), y = s.geometry.channel_width / 2;
   low_ = Vec3(x, -y, 0);
-  high_ = Vec3(x + slab_depth * s.particles.diameter, y, s.geometry.neck_height);
+  high_ = Vec3(std::min(x + slab_depth * s.particles.diameter, -narrowing_length(s)), y, s.geometry.neck_height);
   interval_ = interval_share * s.stokes_time();
 }
 

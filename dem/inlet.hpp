@@ -33,6 +33,9 @@ public:
   std::int64_t inserted() const { return next_id_; }
   std::int64_t refused() const { return refused_; }  ///< attempts that found no room
 
+  /// Whether it tried and nothing came in since its clock began.
+  bool shut() const { return fed_ == 0 && refused_ > 0; }
+
   /// Whether counts read from a file are counts.
   bool sound() const {
     constexpr std::int64_t most = std::int64_t{1} << 60;

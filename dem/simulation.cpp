@@ -232,6 +232,14 @@ void Simulation::advance() {
   lists_are_new_ = false;
 }
 
+void Simulation::change_step(double dt) {
+  require(dt > 0, "a step of {} s", dt);
+  model_.dt = dt;
+  kick_ = kick_ == 0 ? 0 : dt;
+  step_ = 0;
+  next_porosity_ = next_series_ = next_snapshot_ = 0;
+}
+
 void Simulation::feed_inlet(double time) {
   const std::size_t before = particles_.size();
   if (inlet_.insert(particles_, fluid_, random_, time) > 0) lists_stale_ = true;

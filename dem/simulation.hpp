@@ -53,6 +53,9 @@ public:
   double elastic_energy() const;  ///< of all springs, after compute_forces() [J]
   double kinetic_energy() const;  ///< at the time of the positions [J]
 
+  /// The state goes on from time 0 with another step; for studies of the step, of scenes without an inlet.
+  void change_step(double dt);
+
   /// Everything that the next step depends on, and all that was recorded, as bytes; between two
   /// steps only, that is from a watcher. A simulation of the same scene and seed that resumes from
   /// it goes on with the same bits.

@@ -152,6 +152,8 @@ void Simulation::finish() {
   p["fill_at_rest"] = filling_.at_rest;
   p["inserted"] = inlet_.inserted();
   p["insertions_refused"] = inlet_.refused();
+  if (say_ && inlet_.shut())
+    say_(fmt::format("the inlet found no room for any particle in {} attempts: the channel is full up to it", inlet_.refused()));
   if (model_.pair_law.torsion_memory != 1)
     p["experiment"] = "contact.torsion_update = \"doubling\": springs advanced wrongly on purpose";
 }

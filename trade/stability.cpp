@@ -21,9 +21,15 @@ namespace {
 
 /// Steps of a trial: an unstable mode grows by a factor per step, so a few hundred would do.
 constexpr int trial_steps = 2000;
-constexpr int bisections = 7;
-constexpr double largest_trial = 8;      ///< times the prediction
-constexpr double reference_share = 0.2;  ///< of the prediction, the step taken as exact
+constexpr double first_trial = 0.5, largest_trial = 8, growth = 1.2;  ///< times the prediction
+constexpr int bisections = 4;
+constexpr double reference_share = 0.2;  ///< of the limit, the step taken as exact
+constexpr int reference_steps = 5 * trial_steps;  ///< as long as a trial at the limit
+
+/// Kinetic over elastic energy of a push, of rest, and of shaking.
+constexpr double push = 1e-9, rest = 1e-12, shaking = 10 * push;
+constexpr int settling_blocks = 40, block_steps = 2000;
+
 constexpr double shaken = 10;            ///< kinetic energy over the reference's that counts as unstable
 constexpr double floor_share = 1e-6;     ///< of the elastic energy: motion that does not matter
 constexpr double accurate_energy = 0.05, accurate_shift = 0.01;
@@ -108,15 +114,124 @@ private:
   std::filesystem::path file_;
 };
 
+void halt(Particles& p) {
+  for (ParticleState& s : p.states) s.vx = s.vy = s.vz = s.wx = s.wy = s.wz = 0;
+}
+
+/// Steps on. \return the largest kinetic over elastic energy met; NaN counts as infinite
+double walk(Simulation& simulation, int steps, bool relax) {
+  constexpr int look = 4;
+  double largest = 0, before = 0;
+  for (int k = 0; k < steps; ++k) {
+    simulation.compute_forces();
+    if (k % look == 0) {
+      const double kinetic = simulation.kinetic_energy(), share = kinetic / simulation.elastic_energy();
+      largest = share <= largest ? largest : std::isfinite(share) ? share : std::numeric_limits<double>::infinity();
+      if (relax && kinetic < before) halt(simulation.particles());
+      before = kinetic < before ? 0 : kinetic;
+    }
+    simulation.advance();
+  }
+  return largest;
+}
+
+/// Of the present contacts; after compute_forces().
+double limit_now(const Simulation& simulation, double least = std::numeric_limits<double>::infinity()) {
+  const NetworkLimit network = simulation.network();
+  const NetworkLimit::Bound bound = network.bound();
+  return bound.step < least ? std::min(least, network.exact(bound)) : least;
+}
+
+/// Brings a column to rest by halting all whenever the kinetic energy has passed a peak.
+/// \return whether it then stays at rest
+/// \source Cundall's dynamic relaxation with kinetic damping
+bool settle(Simulation& simulation) {
+  for (int k = 0; k < settling_blocks; ++k) {
+    walk(simulation, block_steps, true);
+    if (walk(simulation, block_steps / 10, false) < rest) return true;
+    simulation.compute_forces();
+    if (const double limit = limit_now(simulation); std::isfinite(limit)) simulation.change_step(reference_share * limit);
+    simulation.advance();
+  }
+  return false;
+}
+
+/// A column at rest, to be pushed with one step after the other.
+class Resting {
+public:
+  Resting(const Column& column, double step) : column_(column), step_(step), simulation_(column.simulation(step)) {
+    simulation_.fill({});
+    at_rest_ = settle(simulation_);
+    simulation_.compute_forces();
+    limit_ = limit_now(simulation_);
+    simulation_.change_step(step);
+    simulation_.record();
+    state_ = simulation_.save();
+  }
+
+  bool at_rest() const { return at_rest_; }
+  double limit() const { return limit_; }
+
+  /// Whether a small push leaves it shaking: after so many steps more energy moves than was given.
+  bool shakes(double step, int steps = trial_steps) const {
+    try {
+      Simulation simulation = column_.simulation(step_);
+      simulation.resume(state_);
+      simulation.change_step(step);
+      simulation.compute_forces();
+      give_push(simulation.particles(), push * simulation.elastic_energy());
+      simulation.advance();
+      walk(simulation, steps - steps / 10, false);
+      return !(walk(simulation, steps / 10, false) < shaking);
+    } catch (const Error&) {
+      return true;
+    }
+  }
+
+private:
+  static void give_push(Particles& p, double energy) {
+    const double each = energy / (6.0 * static_cast<double>(p.size()));
+    int number = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const auto kick = [&](double inertia) { return std::copysign(std::sqrt(2 * each / inertia), halton(++number, 2) - 0.5); };
+      for (double* v : {&p[i].vx, &p[i].vy, &p[i].vz}) *v += kick(p[i].mass);
+      for (double* w : {&p[i].wx, &p[i].wy, &p[i].wz}) *w += kick(p[i].inertia);
+    }
+  }
+
+  const Column& column_;
+  double step_;
+  Simulation simulation_;
+  bool at_rest_;
+  double limit_;
+  std::string state_;
+};
+
+/// The largest step from first_trial of the limit on, up to which no trial shakes.
+void measure_limit(const Resting& resting, StabilityResult& result) {
+  double low = 0, high = first_trial * result.predicted;
+  while (!resting.shakes(high)) {
+    low = high;
+    high *= growth;
+    if (low >= largest_trial * result.predicted) result.capped = true;
+    if (result.capped) break;
+  }
+  for (int k = 0; k < bisections && low > 0 && !result.capped; ++k) {
+    const double middle = std::sqrt(low * high);
+    (resting.shakes(middle) ? high : low) = middle;
+  }
+  result.measured = low;
+}
+
 struct Trial {
   bool broke = false;
   double kinetic = 0;   ///< mean over the second half of the time [J]
   double elastic = 0;   ///< at the end [J]
   double height = 0;    ///< mean, at the end [m]
-  double limit = std::numeric_limits<double>::infinity();  ///< least network limit [s]
+  double limit = std::numeric_limits<double>::infinity();  ///< least of its contacts [s]
 };
 
-Trial run_trial(const Column& column, double step, double duration, int look) {
+Trial run_trial(const Column& column, double step, double duration) {
   Trial trial;
   try {
     Simulation simulation = column.simulation(step);
@@ -124,7 +239,7 @@ Trial run_trial(const Column& column, double step, double duration, int look) {
     int counted = 0;
     for (int k = 0; k < steps; ++k) {
       simulation.compute_forces();
-      if (look > 0 && k % look == 0) trial.limit = std::min(trial.limit, simulation.network().bound().step);
+      if (k % 20 == 0) trial.limit = limit_now(simulation, trial.limit);
       if (2 * k >= steps && k % 10 == 0) trial.kinetic += simulation.kinetic_energy(), ++counted;
       simulation.advance();
     }
@@ -140,49 +255,16 @@ Trial run_trial(const Column& column, double step, double duration, int look) {
   return trial;
 }
 
-bool unstable(const Trial& trial, const Trial& reference) {
-  return trial.broke ||
-         trial.kinetic > shaken * reference.kinetic + floor_share * reference.elastic;
-}
-
-/// The network is judged while the column moves as it does: once to find the limit roughly, then with the step
-/// that belongs to it.
-void find_limits(const Column& column, StabilityResult& result) {
-  double guess = std::isfinite(result.expected) ? result.expected : result.step;
-  for (int pass = 0; pass < 3; ++pass) {
-    const Trial trial = run_trial(column, reference_share * guess, trial_steps * guess, 20);
-    if (trial.broke || !std::isfinite(trial.limit)) return;
-    result.predicted = trial.limit;
-    if (trial.limit > 0.5 * guess && trial.limit < 2 * guess) return;
-    guess = trial.limit;
-  }
-}
-
-void bisect(const Column& column, StabilityResult& result) {
-  const double predicted = result.predicted;
-  const auto breaks = [&](double step) {
-    const double duration = trial_steps * step;
-    const Trial reference = run_trial(column, reference_share * predicted, duration, 0);
-    return unstable(run_trial(column, step, duration, 0), reference);
-  };
-  double low = 0.25 * predicted, high = largest_trial * predicted;
-  result.capped = !breaks(high);
-  if (result.capped) low = high;
-  for (int k = 0; k < bisections && !result.capped; ++k) {
-    const double middle = std::sqrt(low * high);
-    (breaks(middle) ? high : low) = middle;
-  }
-  result.measured = low;
-}
-
 void judge(const Column& column, StabilityResult& result) {
   const double duration = trial_steps * result.step;
-  const Trial reference = run_trial(column, std::min(result.step, result.predicted) * reference_share,
-                                    duration, 0);
-  const Trial trial = run_trial(column, result.step, duration, 0);
+  const Trial reference = run_trial(column, std::min(result.step, result.predicted) * reference_share, duration);
+  require(result.step <= reference.limit, "step above the limit that contacts have for a while");
+  const Trial trial = run_trial(column, result.step, duration);
   const double energy = std::abs(trial.elastic - reference.elastic);
   const double shift = std::abs(trial.height - reference.height) / result.point.diameter;
-  result.verdict = unstable(trial, reference) ? Verdict::unstable
+  const bool unstable =
+      trial.broke || trial.kinetic > shaken * reference.kinetic + floor_share * reference.elastic;
+  result.verdict = unstable ? Verdict::unstable
                    : energy <= accurate_energy * reference.elastic + 1e-30 && shift <= accurate_shift
                        ? Verdict::accurate
                        : Verdict::inaccurate;
@@ -221,9 +303,13 @@ StabilityResult measure(const ExtremePoint& point) {
     // Close to rest: the lowest layer's share of the load that the limit expects.
     const double layers = std::ceil(point.particles / 9.0);
     const Column column(point, limits.expected_overlap * std::pow(layers / 20, 2.0 / 3));
-    find_limits(column, result);
-    require(result.predicted > 0, "the reference run breaks");
-    bisect(column, result);
+    const double guess = std::isfinite(result.expected) ? result.expected : result.step;
+    const Resting resting(column, reference_share * guess);
+    result.predicted = resting.limit();
+    // A pack that a small step shakes as well within the same time is unstable by itself, not by its step.
+    result.at_rest = resting.at_rest() && std::isfinite(result.predicted) &&
+                     !resting.shakes(reference_share * result.predicted, reference_steps);
+    if (result.at_rest) measure_limit(resting, result);
     require(result.step <= result.predicted, "step above the limit");
     judge(column, result);
   } catch (const std::exception& error) {

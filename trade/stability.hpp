@@ -36,9 +36,10 @@ struct StabilityResult {
   std::string reason;      ///< of a refusal
   double step = 0;         ///< the point's own [s]
   double expected = 0;     ///< limit from the scene alone [s]
-  double predicted = 0;    ///< least limit of the network during the reference run [s]; 0: not run
-  double measured = 0;     ///< largest step that stayed stable [s]; 0: not measured
-  bool capped = false;     ///< nothing broke at the largest step tried
+  double predicted = 0;    ///< of the column's contacts, at rest if it came to rest [s]; 0: not run
+  bool at_rest = false;    ///< and stays there if pushed, with a small step
+  double measured = 0;     ///< largest step with which a small push dies out [s]; 0: not at rest
+  bool capped = false;     ///< nothing shook at the largest step tried
 };
 
 /// Refuses, or measures. A bounded number of steps; throws nothing.

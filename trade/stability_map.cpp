@@ -18,14 +18,14 @@ int main(int argc, char** argv) {
     return 2;
   }
   fmt::print("number,diameter,viscosity,youngs_modulus,velocity,porosity,friction,restitution,particles,"
-             "step_fraction,films,integrator,step,expected,predicted,measured,capped,verdict,reason\n");
+             "step_fraction,films,integrator,step,expected,predicted,at_rest,measured,capped,verdict,reason\n");
   for (const clog::ExtremePoint& p : clog::extreme_points(count)) {
     const clog::StabilityResult r = clog::measure(p);
     fmt::print("{},{:.4g},{:.4g},{:.4g},{:.4g},{:.3g},{:.3g},{:.3g},{},{:.3g},{:d},{},{:.4g},{:.4g},"
-               "{:.4g},{:.4g},{:d},{},\"{}\"\n",
+               "{:.4g},{:d},{:.4g},{:d},{},\"{}\"\n",
                p.number, p.diameter, p.viscosity, p.youngs_modulus, p.velocity, p.porosity, p.friction,
                p.restitution, p.particles, p.step_fraction, p.films, integrators[static_cast<int>(p.integrator)], r.step, r.expected,
-               r.predicted, r.measured, r.capped, name(r.verdict), r.reason);
+               r.predicted, r.at_rest, r.measured, r.capped, name(r.verdict), r.reason);
     std::fflush(stdout);
   }
 }

@@ -20,7 +20,7 @@ clog_tests(test_channel_parts
           dem/test_model_refusals.cpp dem/test_plan.cpp dem/test_stl_scene.cpp
   LIBRARIES clog_dem LABELS unit)
 clog_tests(test_channel_runs
-  SOURCES dem/test_channel_runs.cpp
+  SOURCES dem/test_channel_runs.cpp dem/test_full_inlet.cpp
   LIBRARIES clog_dem LABELS slow)
 clog_tests(test_ensemble
   SOURCES dem/test_ensemble.cpp

@@ -1,4 +1,5 @@
 // Scenes at the edge of sense: no particle, one too large, an inlet without room, a field that is no field.
+#include <algorithm>
 #include <cmath>
 
 #include <gmock/gmock.h>
@@ -52,6 +53,28 @@ TEST(FullInlet, EndsAndIsCounted) {
   const RunData run = Simulation(scene, &flow, 1).run();
   EXPECT_GT(run.provenance["insertions_refused"].get<std::int64_t>(), 0);
   EXPECT_GT(run.provenance["inserted"].get<std::int64_t>(), 0);
+}
+
+// One sphere fills the whole channel and cannot leave in this time: no second ever finds room.
+TEST(FullInlet, ThatCanInsertNothingSaysSoAndEnds) {
+  const Scene scene = small_channel({"particles.diameter=95 um", "time.end=2 ms", "geometry.channel_width=100 um",
+                                     "geometry.channel_length=96 um", "unclog.protocol=none"});
+  const FlowGrid flow = synthetic_flow(scene);
+  Simulation simulation(scene, &flow, 1);
+  std::vector<std::string> notes;
+  simulation.on_note([&](const std::string& note) { notes.push_back(note); });
+  const RunData run = simulation.run();
+  EXPECT_THAT(notes, testing::Contains(HasSubstr("the inlet found no room for any particle in ")));
+  EXPECT_GT(run.provenance["insertions_refused"].get<std::int64_t>(), 0);
+}
+
+// A channel shorter than the slab of the inlet: nothing may stand in the slanted walls.
+TEST(FullInlet, OfAShortChannelKeepsOutOfTheNarrowing) {
+  const Scene scene = small_channel({"particles.diameter=60 um", "geometry.channel_length=65 um", "inlet.start=empty", "time.end=10 us"});
+  const FlowGrid flow = synthetic_flow(scene);
+  const RunData run = Simulation(scene, &flow, 1).run();
+  ASSERT_GT(run.provenance["inserted"].get<std::int64_t>(), 0);
+  EXPECT_LE(*std::max_element(run.series.largest_overlap.begin(), run.series.largest_overlap.end()), 0.002 * 60e-6);
 }
 
 TEST(FlowFile, WithNaNIsNeitherWrittenNorRead) {

@@ -1,8 +1,6 @@
-// The binary seeds, small: a flow file, a run file, states of a run; into the folder given.
+// The binary seeds, small: a flow file and a run file, into the folder given.
 #include "coupling/flow_grid.hpp"
-#include "coupling/publish_file.hpp"
 #include "coupling/run_file.hpp"
-#include "tests/fuzz/resumed_channel.hpp"
 
 namespace {
 
@@ -38,15 +36,6 @@ clog::RunData small_run() {
   return run;
 }
 
-/// States from the beginning of the filling to the end, some of them with friction off.
-void save_states(const std::filesystem::path& folder) {
-  clog::Simulation& run = *clog::fuzz::new_run();
-  int looks = 0;
-  run.run([&](const clog::Progress&) {
-    if (looks++ % 12 == 0) clog::publish_file(run.save(), folder / std::to_string(looks));
-  });
-}
-
 }  // namespace
 
 int main(int, char** arguments) {
@@ -55,5 +44,4 @@ int main(int, char** arguments) {
   clog::RunData run = small_run();
   clog::write_run_file(run, folder / "run_file" / "small.h5");
   std::filesystem::remove(folder / "run_file" / "small.xmf");
-  save_states(folder / "resume");
 }

@@ -24,18 +24,19 @@ TEST(StabilityMap, PointsReachFarOnEveryAxis) {
   EXPECT_GT(largest, 0.9e-3);
 }
 
-TEST(StabilityMap, ThePredictionIsNeverAboveWhatIsMeasured) {
+TEST(StabilityMap, APackAtRestShakesAboveThePredictedStepAndNotBelow) {
   int measured = 0;
-  for (const ExtremePoint& point : extreme_points(20)) {
+  for (const ExtremePoint& point : extreme_points(16)) {
     const StabilityResult r = measure(point);
     EXPECT_NE(r.verdict, Verdict::unstable) << point.number;
     EXPECT_TRUE(std::isfinite(r.predicted) && std::isfinite(r.measured)) << point.number;
-    if (r.measured == 0) continue;
+    if (!r.at_rest) continue;
     ++measured;
-    // The bisection's own resolution is 3 %.
-    EXPECT_GE(r.measured, 0.97 * r.predicted) << point.number;
+    // Prediction and bisection are good to 1 % each.
+    EXPECT_GE(r.measured, 0.98 * r.predicted) << point.number;
+    EXPECT_LE(r.measured, 3 * r.predicted) << point.number;
   }
-  EXPECT_GE(measured, 10);
+  EXPECT_GE(measured, 7);
 }
 
 }  // namespace
