@@ -125,6 +125,7 @@ struct AdvanceTask {
   const double *sx, *sy, *sz;  ///< half the fluid's vorticity [rad/s], with `turn`
   double body_force[3];        ///< [N]
   double kick, drift;          ///< [s]
+  double mass, inertia;        ///< of every particle, if all are equal; else 0
   bool implicit_drag;
   double passage;  ///< place of the passage plane [m]
   double thrown;   ///< a particle as fast as this keeps its loads, so that they can be named [m/s]

@@ -87,9 +87,11 @@ void Neighbours::measure(const Particles& p) {
     return std::ranges::adjacent_find(p.states, std::not_equal_to<>(), part) == p.states.end();
   };
   smallest_radius = p.size() > 0 ? std::ranges::min(p.states, {}, &ParticleState::radius).radius : 0;
-  const bool equal = p.size() > 0 && all_equal(&ParticleState::radius) && all_equal(&ParticleState::mass);
+  const bool equal = p.size() > 0 && all_equal(&ParticleState::radius) && all_equal(&ParticleState::mass) &&
+                     all_equal(&ParticleState::inertia);
   equal_radius = equal ? p[0].radius : 0;
   equal_mass = equal ? p[0].mass : 0;
+  equal_inertia = equal ? p[0].inertia : 0;
 }
 
 bool Neighbours::sound(std::size_t particles) const {

@@ -32,8 +32,8 @@ public:
   std::vector<int> first, second;
   ContactSet contacts;
 
-  /// Radius and mass of every particle if all are equal, else 0.
-  double equal_radius = 0, equal_mass = 0;
+  /// Radius, mass and moment of inertia of every particle if all are equal, else 0.
+  double equal_radius = 0, equal_mass = 0, equal_inertia = 0;
   double smallest_radius = 0;
 
   /// Finds these anew.

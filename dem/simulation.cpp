@@ -208,6 +208,7 @@ AdvanceTask Simulation::advance_task() {
   for (int a = 0; a < 3; ++a) task.body_force[a] = s.body_force[a];
   task.kick = next_kick();
   task.drift = model_.dt;
+  task.mass = neighbours_.equal_mass, task.inertia = neighbours_.equal_inertia;
   task.implicit_drag = s.time.integrator != Integrator::verlet;
   task.passage = model_.domain.passage;
   task.thrown = longest_way * neighbours_.smallest_radius / model_.dt;

@@ -43,13 +43,17 @@ struct Moved {
   const Lanes thrown(task.thrown * task.thrown);
   const double* fluid[3] = {task.ux, task.uy, task.uz};
   const double* turning[3] = {task.sx, task.sy, task.sz};
+  const Lanes per_kick(1 / task.kick);
+  const bool equal = task.mass > 0;
+  Lanes rate(equal ? task.kick / task.mass : 0.0), spin_rate(equal ? task.kick / task.inertia : 0.0);
   Lanes fastest(0.0), drag_work(0.0), body_work(0.0);
   bool crossed = false;
   for (std::size_t from = 0; from < p.count; from += lanes) {
     const int used = lanes_left(from, p.count);
     const Lanes counted([&](auto k) { return static_cast<int>(k) < used ? 1.0 : 0.0; });
     Moved m(p, from, used);
-    const Lanes rate = kick / m.motion.c[3], force_per_kick = m.motion.c[3] / kick;
+    if (!equal) rate = kick / m.motion.c[3], spin_rate = kick / m.spin.c[3];
+    const Lanes force_per_kick = m.motion.c[3] * per_kick;
     const Lanes c = task.drag ? load_part(task.drag + from, used) : Lanes(0.0);
     const Lanes share = task.implicit_drag ? implicit_drag_factor(rate * c) : Lanes(1.0);
     const Lanes x_before = m.place.c[0];
@@ -70,7 +74,6 @@ struct Moved {
       m.place.c[a] += drift * after;
     }
     if (stdx::any_of(x_before < plane && m.place.c[0] >= plane)) crossed = true;
-    const Lanes spin_rate = kick / m.spin.c[3];
     const Lanes ct = task.turn ? load_part(task.turn + from, used) : Lanes(0.0);
     const Lanes spin_share = task.implicit_drag ? implicit_drag_factor(spin_rate * ct) : Lanes(1.0);
     for (int a = 0; a < 3; ++a) {

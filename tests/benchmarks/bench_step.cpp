@@ -34,7 +34,10 @@ void whole_step(benchmark::State& state) {
     simulation.compute_forces();
     simulation.advance();
   }
-  count(state, simulation.particles().size());
+  const std::size_t particles = simulation.particles().size();
+  count(state, particles);
+  state.counters["particles"] = static_cast<double>(particles);
+  state.counters["bytes_per_particle"] = static_cast<double>(simulation.save().size()) / static_cast<double>(particles);
 }
 BENCHMARK(whole_step)->Args({1, 1})->Args({2, 5})->Args({10, 10})->Args({10, 100})->Unit(benchmark::kMicrosecond);
 
