@@ -89,8 +89,9 @@ std::vector<StlSolid> read_stl_solids(const std::filesystem::path& file) {
   // Binary files may begin with "solid" too; only a text file speaks of facets.
   const bool text = content.compare(0, 5, "solid") == 0 &&
                     (content.find("facet") != std::string::npos || content.find("endsolid") != std::string::npos);
-  const std::vector<StlSolid> solids =
-      text ? read_text(content, name) : std::vector<StlSolid>{{"", read_binary(content, name)}};
+  std::vector<StlSolid> solids;
+  if (text) solids = read_text(content, name);
+  else solids.push_back({"", read_binary(content, name)});
   std::size_t count = 0;
   for (const StlSolid& solid : solids)
     for (const Triangle& triangle : solid.triangles) {
