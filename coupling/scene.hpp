@@ -135,6 +135,7 @@ struct Scene {
     double end = 0;                ///< [s]
     double step = 0;               ///< [s]; 0: step_fraction of the contact time
     double step_fraction = 0.02;   ///< of tau_Hertz [-]
+    double contact_limit_share = 0;  ///< largest step over the contacts' expected limit [-]; 0: any
     double mass_scale = 1;         ///< [-]
     double rotational_inertia_scale = 1;  ///< [-]
     Integrator integrator = Integrator::verlet;
@@ -158,6 +159,7 @@ struct Scene {
 
   struct {
     std::vector<std::uint64_t> seeds;
+    std::vector<std::string> sweep;  ///< "key = value, value": see coupling/sweep.hpp
   } ensemble;
 
   /// tau = d / v, the time a particle takes to travel its diameter [s]; 0 without a flow.

@@ -6,6 +6,7 @@
 #include "coupling/require.hpp"
 #include "coupling/scene_draft.hpp"
 #include "coupling/scene_keys.hpp"
+#include "coupling/sweep.hpp"
 #include "coupling/units.hpp"
 
 namespace clog {
@@ -119,6 +120,11 @@ void check_times(const SceneDraft& draft) {
 }  // namespace
 
 void check_scene(const SceneDraft& draft) {
+  try {
+    sweep_points(draft.scene.ensemble.sweep);
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", draft.says("ensemble.sweep"), error.what()));
+  }
   check_defaults(draft);
   check_walls(draft);
   check_particles(draft);

@@ -129,6 +129,7 @@ std::vector<Key> make_keys() {
       NUMBER(time.end, time, positive, "simulated time"),
       NUMBER(time.step, time, positive, "fixed step instead of step_fraction"),
       NUMBER(time.step_fraction, number, fraction, "of the Hertz contact time; default 0.02"),
+      NUMBER(time.contact_limit_share, number, fraction, "a step from step_fraction is no longer than this share of the limit expected of the contacts; default: not looked at"),
       NUMBER(time.mass_scale, number, positive, "numerical mass over true mass; default 1"),
       NUMBER(time.rotational_inertia_scale, number, positive, "numerical moment of inertia over true one; default 1"),
       WORD(time.integrator, "drag explicit, or implicit so that it never limits the step, or drag and lubrication both", "verlet", "implicit_drag", "implicit_fluid"),
@@ -144,6 +145,7 @@ std::vector<Key> make_keys() {
       NUMBER(fidelity.tolerance, number, (Range{.low = 0, .high = 1, .high_allowed = false}), "wanted accuracy; default 0: none"),
 
       Key{"ensemble.seeds", SeedsSlot{AT(ensemble.seeds)}, "random seeds, one run each: \"1-40\" or [1, 2, 3]; default 1"},
+      Key{"ensemble.sweep", TextsSlot{AT(ensemble.sweep)}, "keys and their values, a folder for each point: [\"particles.diameter = 25 um, 33 um\"]; default none"},
   };
 }
 // clang-format on

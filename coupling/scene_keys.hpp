@@ -58,12 +58,15 @@ struct WordSlot {
   int (*get)(const Scene&);
   void (*set)(Scene&, int);
 };
+struct TextsSlot {
+  std::vector<std::string>& (*at)(Scene&);
+};
 struct SeedsSlot {
   std::vector<std::uint64_t>& (*at)(Scene&);
 };
 
 using Slot = std::variant<NumberSlot, AngleSlot, VectorSlot, CountSlot, SwitchSlot, TextSlot,
-                          WordSlot, SeedsSlot>;
+                          WordSlot, TextsSlot, SeedsSlot>;
 
 struct Key {
   std::string_view path;  ///< "contact.friction.sliding"

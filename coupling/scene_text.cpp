@@ -56,6 +56,11 @@ struct Printer {
   std::string operator()(const WordSlot& slot) const {
     return in_quotes(std::string(slot.words.at(static_cast<std::size_t>(slot.get(scene)))));
   }
+  std::string operator()(const TextsSlot& slot) const {
+    std::string all;
+    for (const std::string& text : slot.at(scene)) all += (all.empty() ? "" : ", ") + in_quotes(text);
+    return all.empty() ? "" : "[" + all + "]";
+  }
   std::string operator()(const SeedsSlot& slot) const {
     return in_quotes(format_seeds(slot.at(scene)));
   }

@@ -131,6 +131,16 @@ struct Reader {
     refuse(std::string(key.path), value, "must be " + allowed);
   }
 
+  void operator()(const TextsSlot& slot, const toml::node& value) const {
+    const char* allowed = "must be texts in quotes: [\"one\", \"two\"]";
+    slot.at(scene).clear();
+    if (!value.is_array()) refuse(std::string(key.path), value, allowed);
+    for (const toml::node& text : *value.as_array()) {
+      if (!text.is_string()) refuse(std::string(key.path), value, allowed);
+      slot.at(scene).push_back(text.as_string()->get());
+    }
+  }
+
   void operator()(const SeedsSlot& slot, const toml::node& value) const {
     const std::string name(key.path);
     std::string text;

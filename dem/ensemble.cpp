@@ -1,6 +1,8 @@
 #include "dem/ensemble.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <functional>
 #include <optional>
 #include <sstream>
 
@@ -20,6 +22,7 @@ namespace {
 Scene scene_of(const Scene& scene, std::uint64_t seed) {
   Scene own = scene;
   own.ensemble.seeds = {seed};
+  own.ensemble.sweep.clear();
   return own;
 }
 
@@ -169,14 +172,31 @@ SeedEnd run_one_seed(const Ensemble& ensemble, std::uint64_t seed, const Watcher
   return run_and_report(ensemble, inputs_hash(ensemble), seed, watcher, report);
 }
 
-EnsembleResult run_ensemble(const Ensemble& ensemble, Ranks& ranks, const Watcher& watcher,
-                            const std::function<void(const SeedReport&)>& report) {
-  const auto& seeds = ensemble.scene.ensemble.seeds;
-  make_directory(ensemble.directory);
-  const std::string inputs = inputs_hash(ensemble);
+std::vector<Job> jobs_of(const std::vector<Ensemble>& ensembles) {
+  std::vector<Job> jobs;
+  for (std::size_t k = 0; k < ensembles.size(); ++k)
+    for (const std::uint64_t seed : ensembles[k].scene.ensemble.seeds) jobs.push_back({k, seed});
+  std::ranges::stable_sort(jobs, std::ranges::greater{},
+                           [&](const Job& job) { return ensembles[job.ensemble].cost; });
+  return jobs;
+}
+
+EnsembleResult run_ensembles(const std::vector<Ensemble>& ensembles, Ranks& ranks, const Watcher& watcher,
+                             const std::function<void(const SeedReport&)>& report) {
+  const std::vector<Job> jobs = jobs_of(ensembles);
+  std::vector<std::string> inputs;
+  for (const Ensemble& ensemble : ensembles) {
+    make_directory(ensemble.directory);
+    inputs.push_back(inputs_hash(ensemble));
+  }
   EnsembleResult result;
-  for (int k = ranks.next(); k < static_cast<int>(seeds.size()); k = ranks.next()) {
-    const SeedEnd end = run_and_report(ensemble, inputs, seeds[k], watcher, report);
+  for (int k = ranks.next(); k < static_cast<int>(jobs.size()); k = ranks.next()) {
+    const Ensemble& ensemble = ensembles[jobs[k].ensemble];
+    const SeedEnd end = run_and_report(ensemble, inputs[jobs[k].ensemble], jobs[k].seed, watcher,
+                                       [&](SeedReport said) {
+                                         said.point = ensemble.name;
+                                         report(said);
+                                       });
     result.failed += end == SeedEnd::failed;
     result.stopped += end == SeedEnd::stopped;
     if (end == SeedEnd::stopped) break;

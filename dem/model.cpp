@@ -11,6 +11,7 @@
 #include "coupling/stl_channel.hpp"
 #include "dem/physics/porosity.hpp"
 #include "dem/physics/time_step.hpp"
+#include "dem/step_limit.hpp"
 #include "coupling/wall_mesh.hpp"
 
 namespace clog {
@@ -160,7 +161,9 @@ void choose_step(Model& model, const std::vector<Particle>& initial) {
   if (model.dt == 0) {
     require(speed > 0, "time.step is missing (nothing moves in this scene, so no contact time can be "
                        "derived): give time.step, e.g. \"1e-7 s\"");
-    const double largest = s.time.step_fraction * model.contact_time;
+    double largest = s.time.step_fraction * model.contact_time;
+    if (s.time.contact_limit_share > 0)
+      largest = std::min(largest, s.time.contact_limit_share * expected_limits(model, initial).contacts);
     model.dt = s.time.end / std::ceil(s.time.end / largest);
   }
   model.steps = static_cast<std::int64_t>(std::llround(std::ceil(s.time.end / model.dt - 1e-9)));

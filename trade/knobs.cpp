@@ -11,9 +11,21 @@ Overrides full_numerics(int mass_scale) {
           "time.step_fraction=0.02"};
 }
 
-/// The numerics that most knobs are turned on.
+std::string key_of(const std::string& override) { return override.substr(0, override.find('=')); }
+
+/// The numerics that most knobs are turned on, each key once.
 Overrides cheap_with(const Overrides& more) {
   Overrides overrides{"time.mass_scale=10", "time.rotational_inertia_scale=5", "time.step_fraction=0.04"};
+  for (const std::string& override : more) {
+    std::erase_if(overrides, [&](const std::string& known) { return key_of(known) == key_of(override); });
+    overrides.push_back(override);
+  }
+  return overrides;
+}
+
+/// A step by the limit of the contacts alone.
+Overrides at_limit(const std::string& share, const Overrides& more = {}) {
+  Overrides overrides{"time.step_fraction=1", "time.contact_limit_share=" + share};
   overrides.insert(overrides.end(), more.begin(), more.end());
   return overrides;
 }
@@ -25,6 +37,11 @@ void add_numerics(std::vector<Setting>& all, const Scene& scene) {
   add("cheap_tau50", "step", {"time.step_fraction=0.02"});
   add("cheap_tau20", "step", {"time.step_fraction=0.05"});
   add("cheap_tau15", "step", {"time.step_fraction=0.0667"});
+  add("cheap_limit70", "step", at_limit("0.7"));
+  add("cheap_limit80", "step", at_limit("0.8"));
+  add("cheap_i10_limit70", "step and moment of inertia", at_limit("0.7", {"time.rotational_inertia_scale=10"}));
+  add("cheap_m30_limit70", "step and mass", at_limit("0.7", {"time.mass_scale=30"}));
+  add("cheap_m100_limit70", "step and mass", at_limit("0.7", {"time.mass_scale=100"}));
   add("cheap_i1", "moment of inertia", {"time.rotational_inertia_scale=1"});
   add("cheap_i10", "moment of inertia", {"time.rotational_inertia_scale=10"});
   add("cheap_m100", "mass", {"time.mass_scale=100"});

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "coupling/require.hpp"
+#include "dem/step_limit.hpp"
 #include "trade/deterministic.hpp"
 #include "trade/sample.hpp"
 
@@ -64,6 +65,7 @@ void add_cost(json& entry, const Sample& sample) {
   entry["bursts"] = bursts(sample);
   entry["simulated_s"] = sample.simulated;
   entry["cost"] = sample.particle_steps / sample.simulated;
+  entry["step_over_limit"] = sample.step_over_limit;
   entry["seconds_per_simulated_s"] = sample.wall_seconds / sample.simulated;
 }
 
@@ -132,7 +134,7 @@ json combine(const std::vector<json>& studies) {
     measured["studies"].push_back({{"diameter", study.at("diameter")}, {"reference", study.at("reference")}});
   for (const json& first : studies.at(0).at("settings")) {
     json entry{{"name", first["name"]}, {"overrides", first["overrides"]}, {"gain", 1e300},
-               {"error", 0.0}, {"hidden", 0.0}};
+               {"error", 0.0}, {"hidden", 0.0}, {"step_over_limit", 0.0}};
     const bool everywhere = std::all_of(studies.begin(), studies.end(), [&](const json& study) {
       const auto& all = study.at("settings");
       const auto found = std::find_if(all.begin(), all.end(),
@@ -146,8 +148,8 @@ json combine(const std::vector<json>& studies) {
         return false;
       if (study["reference"] == studies[0]["reference"])
         entry["gain"] = std::min(entry["gain"].get<double>(), (*found)["gain"].get<double>());
-      for (const char* key : {"error", "hidden"})
-        entry[key] = std::max(entry[key].get<double>(), (*found)[key].get<double>());
+      for (const char* key : {"error", "hidden", "step_over_limit"})
+        entry[key] = std::max(entry[key].get<double>(), found->value(key, 0.0));
       return true;
     });
     if (everywhere && entry["gain"] < 1e300) measured["settings"].push_back(entry);
@@ -162,7 +164,8 @@ json combine(const std::vector<json>& studies) {
 const json& cheapest_within(const json& measured, double tolerance) {
   const json* best = nullptr;
   for (const json& setting : measured.at("settings"))
-    if (setting["error"].get<double>() <= tolerance && (!best || setting["gain"] > (*best)["gain"]))
+    if (setting["error"].get<double>() <= tolerance && setting.value("step_over_limit", 0.0) <= near_limit &&
+        (!best || setting["gain"] > (*best)["gain"]))
       best = &setting;
   require(best != nullptr, "no setting was measured to be within {}", tolerance);
   return *best;

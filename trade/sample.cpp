@@ -48,6 +48,9 @@ void add_run(Sample& sample, const fs::path& file) {
   ++sample.runs;
   sample.simulated += run.end_time + run.provenance.at("fill_time_s").get<double>();
   sample.particle_steps += run.provenance.at("particle_steps").get<double>();
+  if (const double limit = run.provenance.value("contact_limit_s", 0.0); limit > 0)
+    sample.step_over_limit =
+        std::max(sample.step_over_limit, run.provenance.at("time_step_s").get<double>() / limit);
   sample.wall_seconds += run.provenance.at("wall_time_s").get<double>();
 }
 

@@ -27,6 +27,7 @@ struct Sample {
   double simulated = 0;       ///< filling included [s]
   double particle_steps = 0;
   double wall_seconds = 0;
+  double step_over_limit = 0; ///< largest step over the smallest limit that the contacts of its run had [-]
 };
 
 /// Reads the run files of a folder. Empty if it has none. \throws Error on a damaged file

@@ -68,6 +68,8 @@ TEST(SceneRefusals, OfSingleValues) {
       {"flow.mesh_cells_per_neck=1", "(must be in [4, 400])"},
       {"contact.poisson_ratio=0.5", "(must be in [0, 0.5))"},
       {"particles.initial=3", "(must be a text in quotes)"},
+      {"ensemble.sweep=a", "ensemble.sweep = \"a\" (must be texts in quotes: [\"one\", \"two\"])"},
+      {"ensemble.sweep=[1]", "ensemble.sweep = [1] (must be texts in quotes: [\"one\", \"two\"])"},
       {"ensemble.seeds=4-1", "ensemble.seeds = \"4-1\" (the range 4-1 runs backwards)"},
       {"ensemble.seeds=-3", "must be whole numbers"},
       {"ensemble.seeds=[1, 2.5]", "(must be whole numbers, e.g. [1, 2, 3]"},

@@ -1,4 +1,5 @@
 // Ensembles through the program, on 1, 2 and 3 ranks: the same files; finished seeds are skipped.
+#include <array>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -6,6 +7,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/coupling/flow_scene.hpp"
+#include "dem/ensemble.hpp"
 #include "tests/dem/channel_scene.hpp"
 
 namespace clog::test {
@@ -102,6 +104,40 @@ TEST_F(EnsembleFiles, FinishedSeedsAreSkipped) {
   const Outcome other = run("", "out", "--seeds 2 --set time.end='7 ms'");
   EXPECT_NE(other.status, 0);
   EXPECT_THAT(other.text, HasSubstr("was made for another scene"));
+}
+
+TEST_F(EnsembleFiles, ASweepHasAFolderForEachPointWithTheFilesOfAPlainRun) {
+  const std::string sweep = "--seeds 1-2 --sweep 'contact.friction.rolling=0.3,0.6' --sweep 'particles.diameter = 70 um, 80 um'";
+  const Outcome swept = run(mpirun(2), "sweep", sweep);
+  ASSERT_EQ(swept.status, 0) << swept.text;
+  EXPECT_THAT(swept.text, HasSubstr("contact.friction.rolling=0.3,particles.diameter=80um, seed 2: "));
+  const Outcome plain =
+      run("", "plain", "--seeds 1-2 --set contact.friction.rolling=0.3 --set particles.diameter='80 um'");
+  ASSERT_EQ(plain.status, 0) << plain.text;
+  for (const std::uint64_t seed : {1, 2})
+    expect_same(read("plain", seed), read("sweep/contact.friction.rolling=0.3,particles.diameter=80um", seed));
+  EXPECT_TRUE(std::filesystem::exists(folder_.path() / "sweep" /
+                                      "contact.friction.rolling=0.6,particles.diameter=70um" / run_file_name(1)));
+  // A sweep of the scene does the same; what is wrong with a point is said with its name.
+  EXPECT_THAT(run("", "sweep", "--seeds 1-2 --set 'ensemble.sweep=[\"contact.friction.rolling=0.3,0.6\", "
+                               "\"particles.diameter=70 um,80 um\"]'").text,
+              HasSubstr("particles.diameter=80um, seed 2: already done"));
+  const Outcome wrong = run("", "wrong", "--sweep 'particles.diameter=80 um,80 m'");
+  EXPECT_NE(wrong.status, 0);
+  EXPECT_THAT(wrong.text, HasSubstr("clog: particles.diameter=80m: "));
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "wrong"));
+}
+
+TEST(EnsembleJobs, TheDearestComeFirst) {
+  std::vector<Ensemble> ensembles(3);
+  for (std::size_t k : {0, 1, 2}) {
+    ensembles[k].scene.ensemble.seeds = {1, 2};
+    ensembles[k].cost = std::array{2.0, 7.0, 2.0}[k];
+  }
+  std::vector<std::pair<std::size_t, std::uint64_t>> order;
+  for (const Job& job : jobs_of(ensembles)) order.emplace_back(job.ensemble, job.seed);
+  EXPECT_THAT(order, testing::ElementsAre(testing::Pair(1, 1), testing::Pair(1, 2), testing::Pair(0, 1),
+                                          testing::Pair(0, 2), testing::Pair(2, 1), testing::Pair(2, 2)));
 }
 
 TEST_F(EnsembleFiles, ASeedThatFailsIsReportedOnceAndTheRestRun) {

@@ -108,6 +108,23 @@ TEST(StepLimits, AreNamedRefusedAndWarnedOf) {
               AllOf(HasSubstr("is unstable: the contacts allow"), HasSubstr("lower time.step_fraction")));
 }
 
+TEST(StepLimits, AShareOfTheContactsLimitShortensTheStepOnly) {
+  const std::vector<Particle> one{{.radius = 16.5e-6, .z = 16.5e-6}};
+  Scene s = pressed(1e-8);
+  s.time.step = 0;
+  s.flow.velocity = {0, 0, -1e-3};
+  s.time.end = 1;
+  s.time.step_fraction = 1;
+  const double limit = expected_limits(make_model(s, nullptr, one), one).contacts;
+  s.time.contact_limit_share = 0.7;
+  const Model model = make_model(s, nullptr, one);
+  // The step divides the time: a millionth shorter at most.
+  EXPECT_NEAR(model.dt, 0.7 * limit, 1e-5 * limit);
+  EXPECT_LE(model.dt, 0.7 * limit);
+  s.time.step_fraction = 0.1 * limit / model.contact_time;
+  EXPECT_NEAR(make_model(s, nullptr, one).dt, 0.1 * limit, 1e-5 * limit);
+}
+
 TEST(NetworkLimit, ExactIsThatOfTheWholeChain) {
   // n unit masses in a row, springs k between them: w^2 = 2 k (1 + cos(pi / n)); the bound says 4 k.
   for (const int n : {2, 3, 8}) {

@@ -109,6 +109,11 @@ struct TryOut {
     for (const char* bad : {"1", "true", "[]"}) expect_refused(key, bad);
     expect_clear(key, "text", answer(key.path, "\"no such \\n thing\""));
   }
+  void operator()(const TextsSlot&) const {
+    for (const char* bad : {"1", "true", "\"text\"", "[1]", "[\"no such key = 1\"]", "[\"time.end\"]", "[\"time.end=\"]"})
+      expect_refused(key, bad);
+    for (const char* good : {"[]", "[\"time.mass_scale = 1, 2\"]"}) EXPECT_EQ(answer(key.path, good), "") << good;
+  }
   void operator()(const WordSlot& slot) const {
     for (const char* bad : {"1", "\"\"", "\"no such word\"", "true", "[]"}) expect_refused(key, bad);
     for (const std::string_view word : slot.words) expect_clear(key, std::string(word), answer(key.path, std::string(word)));

@@ -66,21 +66,21 @@ json study_with(const json& settings, double diameter) {
   return {{"format", "clogflow trade 1"}, {"diameter", diameter}, {"reference", "a"}, {"settings", settings}};
 }
 
-json entry(const char* name, double gain, double error) {
+json entry(const char* name, double gain, double error, double step = 0.5) {
   return {{"name", name}, {"kind", "numerics"}, {"overrides", {"time.mass_scale=2"}},
-          {"gain", gain}, {"error", error}, {"hidden", 2 * error}};
+          {"gain", gain}, {"error", error}, {"hidden", 2 * error}, {"step_over_limit", step}};
 }
 
 // b is cheap and good at one diameter and bad at the other, c is dear and good, d good and physics, e was
-// run once.
+// run once, f too near the limit of its contacts at one diameter.
 TEST(TradePresets, FollowTheirRuleOverAllStudies) {
   json d = entry("d", 90, 0);
   d["kind"] = "physics";
-  const json one = study_with({entry("a", 1, 0), entry("b", 8, 0.01), entry("c", 3, 0.04), d, entry("e", 50, 0)}, 1);
-  const json two = study_with({entry("a", 1, 0), entry("b", 6, 0.09), entry("c", 4, 0.05), d, {{"name", "e"}, {"not_run", true}}}, 2);
+  const json one = study_with({entry("a", 1, 0), entry("b", 8, 0.01), entry("c", 3, 0.04), d, entry("e", 50, 0), entry("f", 70, 0, 0.89)}, 1);
+  const json two = study_with({entry("a", 1, 0), entry("b", 6, 0.09), entry("c", 4, 0.05), d, {{"name", "e"}, {"not_run", true}}, entry("f", 70, 0, 0.91)}, 2);
   const json both = combine({one, two});
   EXPECT_EQ(both["presets"], (json{{"reference", "a"}, {"standard", "c"}, {"fast", "b"}}));
-  EXPECT_EQ(both["settings"].size(), 3u);
+  EXPECT_EQ(both["settings"].size(), 4u);
   EXPECT_EQ(both["settings"][1]["gain"], 6.0);
   EXPECT_EQ(both["settings"][1]["error"], 0.09);
   EXPECT_EQ(both["settings"][2]["hidden"], 0.1);
