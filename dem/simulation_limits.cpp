@@ -6,6 +6,7 @@
 #include "coupling/require.hpp"
 #include "dem/initial_particles.hpp"
 #include "dem/physics/lubrication.hpp"
+#include "dem/quantile.hpp"
 #include "dem/simulation.hpp"
 #include "dem/step_limit.hpp"
 
@@ -131,21 +132,24 @@ void Simulation::look_at_limit() {
 void Simulation::look_for_shaking() {
   const double rest = watch_.rest_speed();
   if (!(rest > 0) || filling_.stage == Filling::Stage::tap || watch_.friction_off()) return;
-  const double speed = clog_state(particles_, model_.scene).quantile_speed;
-  if (!(speed > std::max(rest, step_watch_.shaking))) return;
-  // A shaking pack goes to and fro in two steps, so that its velocities at whole steps are those of rest.
-  Particles now = particles_;
-  for (std::size_t i = 0; i < now.size(); ++i) {
-    const Vector<double> v = velocity_now(static_cast<int>(i));
-    now[i].vx = v.x, now[i].vy = v.y, now[i].vz = v.z;
+  // A shaking pack goes and turns to and fro in two steps: its velocities at whole steps are those of rest.
+  const auto& p = particles_;
+  const auto speed = [](const Vector<double>& v, const Vector<double>& w, double radius) {
+    return std::max(std::sqrt(dot(v, v)), radius * std::sqrt(dot(w, w)));
+  };
+  std::vector<double> between, at;
+  for (const int i : near_neck(p, model_.scene)) {
+    between.push_back(speed({p[i].vx, p[i].vy, p[i].vz}, {p[i].wx, p[i].wy, p[i].wz}, p[i].radius));
+    at.push_back(speed(velocity_now(i), spin_now(i), p[i].radius));
   }
-  if (clog_state(now, model_.scene).quantile_speed > rest) return;
+  const double shaking = quantile(between, slow_share);
+  if (!(shaking > std::max(rest, step_watch_.shaking)) || quantile(at, slow_share) > rest) return;
   if (say_ && step_watch_.shaking == 0)
     say_(fmt::format(
-        "the pack shakes: near the neck particles go to and fro at {:.3g} m/s from one step to the next, and would rest "
-        "below {:.3g} m/s; lower time.step_fraction or raise time.rotational_inertia_scale",
-        speed, rest));
-  step_watch_.shaking = speed;
+        "the pack shakes: near the neck particles go or turn to and fro at {:.3g} m/s from one step to the next, where "
+        "below {:.3g} m/s would be rest; lower time.step_fraction or raise time.rotational_inertia_scale",
+        shaking, rest));
+  step_watch_.shaking = shaking;
 }
 
 double Simulation::kinetic_energy() const {
