@@ -250,7 +250,7 @@ void Simulation::feed_inlet(double time) {
   if (inlet_.insert(particles_, fluid_, random_, time) > 0) lists_stale_ = true;
   for (std::size_t i = before; i < particles_.size(); ++i) {
     const auto& p = particles_;
-    energy_in_ += 0.5 * p[i].mass * (p[i].vx * p[i].vx + p[i].vy * p[i].vy + p[i].vz * p[i].vz);
+    energy_in_ += clog::kinetic_energy(p[i], {p[i].vx, p[i].vy, p[i].vz}, {p[i].wx, p[i].wy, p[i].wz});
   }
   next_insertion_ = time + inlet_.interval();
 }
@@ -262,9 +262,7 @@ void Simulation::take_out() {
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (p[i].x > d.outlet) {
       leaving_[i] = 1;
-      energy_in_ -=
-          0.5 * p[i].mass * (p[i].vx * p[i].vx + p[i].vy * p[i].vy + p[i].vz * p[i].vz) +
-          0.5 * p[i].inertia * (p[i].wx * p[i].wx + p[i].wy * p[i].wy + p[i].wz * p[i].wz);
+      energy_in_ -= clog::kinetic_energy(p[i], {p[i].vx, p[i].vy, p[i].vz}, {p[i].wx, p[i].wy, p[i].wz});
       continue;
     }
     const Vec3 place(p[i].x, p[i].y, p[i].z);

@@ -115,6 +115,18 @@ std::vector<fs::path> find_run_files(const fs::path& folder) {
   return files;
 }
 
+std::vector<std::string> points_without_runs(const fs::path& folder) {
+  std::vector<std::string> points;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (entry.is_directory() && name.find('=') != std::string::npos &&
+        run_files_right_in(entry.path()).empty())
+      points.push_back(name);
+  }
+  std::sort(points.begin(), points.end());
+  return points;
+}
+
 std::vector<RunGroup> gather(const std::vector<fs::path>& folders,
                              std::optional<double> threshold) {
   Gatherer gatherer(threshold);
@@ -129,7 +141,7 @@ std::vector<RunGroup> gather(const std::vector<fs::path>& folders,
     std::sort(group.records.begin(), group.records.end(),
               [](const SeedRecord& a, const SeedRecord& b) { return a.seed < b.seed; });
   }
-  std::sort(groups.begin(), groups.end(), [](const RunGroup& a, const RunGroup& b) {
+  std::stable_sort(groups.begin(), groups.end(), [](const RunGroup& a, const RunGroup& b) {
     return a.scene.particles.diameter > b.scene.particles.diameter;
   });
   return groups;

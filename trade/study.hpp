@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "coupling/flow_grid.hpp"
-#include "dem/ensemble.hpp"
+#include "dem/ranks.hpp"
+#include "dem/seed_run.hpp"
 #include "trade/knobs.hpp"
 
 namespace clog::trade {

@@ -18,4 +18,4 @@ target_link_libraries(verification_report PRIVATE clog_verification)
 
 # The same state in LAMMPS, if it is installed.
 add_test(NAME PeerLammps COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/verification/peer_lammps $<TARGET_FILE:clog>)
-set_tests_properties(PeerLammps PROPERTIES SKIP_RETURN_CODE 77 LABELS verification TIMEOUT 300)
+set_tests_properties(PeerLammps PROPERTIES SKIP_RETURN_CODE 77 LABELS verification TIMEOUT ${test_time_limit})
