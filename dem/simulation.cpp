@@ -35,7 +35,11 @@ constexpr std::int64_t watch_every = 256;
 }  // namespace
 
 Simulation::Simulation(const Scene& scene, const FlowGrid* flow, std::uint64_t seed)
-    : model_(make_model(scene, flow, read_initial_particles(scene))),
+    : Simulation(scene, flow, seed, read_initial_particles(scene)) {}
+
+Simulation::Simulation(const Scene& scene, const FlowGrid* flow, std::uint64_t seed,
+                       const std::vector<Particle>& initial)
+    : model_(make_model(scene, flow, initial)),
       fluid_(make_fluid(scene, flow)),
       kernels_(select_kernels()),
       random_(seed),
@@ -44,7 +48,7 @@ Simulation::Simulation(const Scene& scene, const FlowGrid* flow, std::uint64_t s
       pair_law_(model_.pair_law),
       wall_law_(model_.wall_laws.contact) {
   std::int64_t id = 0;
-  for (const Particle& given : read_initial_particles(scene)) {
+  for (const Particle& given : initial) {
     Particle particle = model_.particle(given.radius);
     particle.id = id++;
     particle.x = given.x, particle.y = given.y, particle.z = given.z;

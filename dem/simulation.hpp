@@ -41,6 +41,9 @@ public:
   /// \param flow  nullptr without an OpenFOAM flow; must outlive the simulation
   Simulation(const Scene& scene, const FlowGrid* flow, std::uint64_t seed);
 
+  /// The same from the given particles, whatever file the scene names; masses as the scene says.
+  Simulation(const Scene& scene, const FlowGrid* flow, std::uint64_t seed, const std::vector<Particle>& initial);
+
   /// Runs to the end. \throws Error if it blows up or loses a particle
   RunData run(const Watcher& watcher = {});
 
