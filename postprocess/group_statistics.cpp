@@ -146,7 +146,7 @@ json group_statistics(const RunGroup& group, const StatisticsRequest& request) {
       {"t_min", group.scale.threshold},
       {"runs", runs},
       {"quantities", quantities_with_halves(group, request)},
-      {"bursts", burst_shape(group)},
+      {"bursts", burst_shape(group, request)},
       {"power_law", power_laws(group, request)},
       {"steady", steady_state(group, request)},
       {"provenance", group.provenance},
