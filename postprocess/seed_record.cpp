@@ -66,6 +66,8 @@ SeedRecord record_of(const RunData& run, const Scene& scene, const ClogScale& sc
                       : bursts_between_clogs(run, record.window, scale.threshold);
   record.steady = steady_state(run, record.window);
   record.filling_time = record.window.start;
+  if (run.provenance.contains("wall_time_s"))
+    record.wall_time = run.provenance.at("wall_time_s").get<double>();
   if (record.filling_time == 0 && run.provenance.contains("fill_time")) {
     record.filling_time = run.provenance.at("fill_time").get<double>();
   }

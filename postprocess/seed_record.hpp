@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <vector>
 
 #include "coupling/run_file.hpp"
@@ -39,6 +40,7 @@ struct SeedRecord {
   SteadyState steady;
   double filling_time =
       0;  ///< measured (start = "empty") or as the solver says (start = "filled") [s]
+  double wall_time = std::numeric_limits<double>::quiet_NaN();  ///< if the solver says so [s]
 };
 
 SeedRecord record_of(const RunData& run, const Scene& scene, const ClogScale& scale);

@@ -10,6 +10,7 @@ CAPTIONS = {
     "snapshots": "A burst: the arch before it, the burst, and the arch that ends it. Circles are particles seen along z, "
                  "those in front on top, coloured by speed.",
     "spatiotemporal": "Passages through the neck, one row a seed. Each passage is a black bar of width τ = d/v; grey: nothing passes.",
+    "spatiotemporal_sweep": "The first seed of every point, as in the paper's figure 3: passages through the neck over the median length of these runs.",
     "bursts": "Burst sizes over their mean, with the counting error. Dashed: exponential law of a memoryless clogging. In a sweep, "
               "right: the mean, first bursts and those cut off by the end included, with its 95 % interval; a triangle stands on the lower bound "
               "of a point without a clog; dashed: fitted law.",
@@ -101,7 +102,7 @@ def figures(paths):
     for path in paths:
         if path.suffix != ".png":
             continue
-        caption = CAPTIONS.get(path.stem.split("_")[0], "")
+        caption = CAPTIONS.get(path.stem) or CAPTIONS.get(path.stem.split("_")[0], "")
         data = base64.b64encode(path.read_bytes()).decode()
         parts.append(f'<figure><img alt="{path.stem}" src="data:image/png;base64,{data}">'
                      f"<figcaption>{html.escape(caption)} ({path.name}, {path.stem}.svg)</figcaption></figure>")
@@ -113,13 +114,13 @@ def bounded(entry):
     return bound.get(entry["status"], interval(entry))
 
 
-def law(series, quantity, symbol):
+def law(series, quantity, symbol, labels):
     """A fitted law in a row: x, b, ln A, how well it fits, what was not fitted."""
     fit = series[quantity]
     name = symbol + (f" ({html.escape(series['label'])})" if series["label"] else "")
     if "refused" in fit:
         return [name, html.escape(fit.get("x", "")), "–", "–", "–", "–", "not fitted: " + html.escape(fit["refused"])]
-    out = [f"point {o['group'] + 1}: {o['status']}" + ("" if "agrees" not in o else ", kept" if o["agrees"] else ", <b>broken</b>")
+    out = [f"{html.escape(labels[o['group']])}: {o['status']}" + ("" if "agrees" not in o else ", kept" if o["agrees"] else ", <b>broken</b>")
            for o in fit["left_out"]]
     return [name, html.escape(fit["x"]), interval(fit["b"]), interval(fit["ln_A"]),
             f"{fit['chi_squared']:.3g} / {fit['degrees_of_freedom']} (p = {fit['p_value']:.2g})", number(fit["extra_scatter"]),
@@ -137,7 +138,7 @@ def sweep(statistics):
         points.append([html.escape(statistics.groups[point["group"]]["label"]), *[html.escape(point["values"][k]) for k in trend["keys"]],
                        mean["stops"], mean["passages"], bounded(mean), alpha["ended"], alpha["cut"], bounded(alpha), alpha["status"]])
     head = ["", *map(html.escape, trend["keys"]), "clogs", "passages", "⟨s⟩", "arrests that ended", "arrests cut", "α", "status of α"]
-    laws = [law(series, quantity, symbol) for series in trend["series"]
+    laws = [law(series, quantity, symbol, [g["label"] for g in statistics.groups]) for series in trend["series"]
             for quantity, symbol in (("mean_burst", "⟨s⟩ = A exp(b x)"), ("alpha", "α = A exp(b x)"))]
     rivals = [f"{html.escape(r['x'])}: χ² = {r['chi_squared']:.3g}" for series in trend["series"] for r in series["mean_burst"].get("rivals", [])]
     missing = trend.get("without_runs", [])
