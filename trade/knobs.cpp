@@ -55,6 +55,8 @@ void add_numerics(std::vector<Setting>& all, const Scene& scene) {
   add_at_limit("m50_limit80", "mass", "0.8", {"time.mass_scale=50"});
   add("10MPa_m30_limit70", "Young's modulus x 3 and mass",
       at_limit("0.7", {stiff, "time.mass_scale=30"}), "cheap_limit70");
+  add_at_limit("5MPa_m30_limit80", "Young's modulus x 5/3 and mass", "0.8",
+               {"contact.youngs_modulus=5 MPa", "time.mass_scale=30"});
   add_at_limit("2MPa_m30_limit80", "Young's modulus x 2/3 and mass", "0.8",
                {"contact.youngs_modulus=2 MPa", "time.mass_scale=30"});
   add_at_limit("1MPa_limit80", "Young's modulus / 3", "0.8", {"contact.youngs_modulus=1 MPa"});
