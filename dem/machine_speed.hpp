@@ -10,7 +10,7 @@ namespace clog {
 /// \return [1/s]
 double instructions_per_second(double duration);
 
-/// Instructions per particle and step of that lattice (avx2, `tests/benchmarks/term_costs`, last row).
-inline constexpr double lattice_instructions = 520;
+/// Instructions per particle and step of that lattice (AVX2; callgrind of compute_forces and advance in the test MachineSpeed).
+inline constexpr double lattice_instructions = 377;
 
 }  // namespace clog
