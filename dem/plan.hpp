@@ -36,7 +36,7 @@ struct Plan {
   double seconds(double speed = nominal_speed) const { return instructions / speed; }
 
   /// Where none was tried out. [1/s]
-  static constexpr double nominal_speed = 5e9;
+  static constexpr double nominal_speed = 6e9;
 };
 
 /// Difference from the developed duct profile, over the mean velocity, that `grid_reach` allows [-].

@@ -4,9 +4,9 @@ namespace clog {
 
 namespace {
 
-/// Of renewing and sorting the lists, per particle and unit of v dt / d: from runs of the trade's scene at
-/// steps that differ 200-fold (docs/trade.md); nothing else in a run grows with the step.
-constexpr double instructions_per_way = 5.4e5;
+/// Of renewing and sorting the lists, per particle and unit of v dt / d: from processor times at steps that differ
+/// sevenfold (docs/trade.md); nothing else in a run grows with the step.
+constexpr double instructions_per_way = 4e5;
 
 }  // namespace
 
