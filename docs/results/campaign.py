@@ -1,6 +1,5 @@
 """The statistics of the campaign, by size of the neck, and how its numbers are written."""
 
-import csv
 import math
 import sys
 from pathlib import Path
@@ -35,8 +34,31 @@ class Point:
         return sum(run["wall_time"] or math.nan for run in self.group["runs"]) / 3600
 
 
-class Campaign:
+class Sweep:
+    """<s> along another key, at one size."""
+
     def __init__(self, folder):
+        self.statistics = Statistics(folder)
+        self.trend = self.statistics.data["trend"]
+        self.key = self.trend["variable"]["name"]
+        self.points = sorted(self.trend["points"], key=lambda p: p["x"])
+        self.groups = [self.statistics.groups[p["group"]] for p in self.points]
+        self.ratio = self.groups[0]["geometry"]["neck_ratio"]
+
+    def values(self):
+        return [p["values"][self.key] for p in self.points]
+
+    def chi_squared(self):
+        """Of a <s> that does not depend on the key, and its degrees of freedom: ln<s> about its weighted mean."""
+        logs = [math.log(p["mean_burst"]["value"]) for p in self.points]
+        weights = [(math.log(p["mean_burst"]["high"] / p["mean_burst"]["low"]) / (2 * 1.96)) ** -2 for p in self.points]
+        mean = sum(w * y for w, y in zip(weights, logs)) / sum(weights)
+        return sum(w * (y - mean) ** 2 for w, y in zip(weights, logs)), len(logs) - 1
+
+
+class Campaign:
+    def __init__(self, folder, sweeps=()):
+        self.sweeps = {sweep.key: sweep for sweep in map(Sweep, sweeps)}
         self.statistics = Statistics(folder)
         self.trend = self.statistics.data["trend"]
         self.points = sorted((Point(self.statistics, p) for p in self.trend["points"]), key=lambda p: p.ratio)

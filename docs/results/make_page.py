@@ -87,21 +87,23 @@ def draw_sweep(statistics, folder):
     return style.save(figure, folder, "sweep")
 
 
-def other_sweep(folder, index):
-    """A sweep of another key: figure, table and law."""
-    statistics = Statistics(folder)
-    trend = statistics.data["trend"]
-    name = f"sweep{index}.png"
-    keep_png(draw_sweep, statistics, "sweep.png", name)
-    key = trend["variable"]["name"]
-    rows = []
-    for point in sorted(trend["points"], key=lambda p: p["x"]):
-        group = statistics.groups[point["group"]]
-        rows.append([group["label"], len(group["runs"]), f"{point['mean_burst']['stops']} / {point['mean_burst']['passages']}", estimate(point["mean_burst"]),
-                     estimate(group["quantities"]["flow_rate_flowing"]), estimate(group["quantities"]["share_failed"])])
-    head = ["point", "seeds", "clogs / passages", "<s>", "flow rate while flowing [1/s]", "releases nothing follows"]
-    fit = trend["series"][0]["mean_burst"]
-    return f"## Sweep of `{key}`\n\n{table(head, rows)}\n\n![<s> along the sweep](results/{name})\n\n{law(fit)}\n\n"
+def other_sweep(sweep):
+    """A sweep of another key: table, figure and law."""
+    name = f"{sweep.key.replace('.', '_')}.png"
+    keep_png(draw_sweep, sweep.statistics, "sweep.png", name)
+    rows = [[value, len(group["runs"]), f"{point['mean_burst']['stops']} / {point['mean_burst']['passages']}", estimate(point["mean_burst"]),
+             estimate(group["quantities"]["flow_rate_flowing"]), f"{100 * group['quantities']['share_censored']['value']:.0f} %"]
+            for value, point, group in zip(sweep.values(), sweep.points, sweep.groups)]
+    head = [f"`{sweep.key}`", "seeds", "clogs / passages", "<s>", "passages per second of flow", "arrests that outlast 5 tau"]
+    fit = sweep.trend["series"][0]["mean_burst"]
+    return (f"### `{sweep.key}` at D/d = {number(sweep.ratio)}\n\n{table(head, rows)}\n\n![<s> along the sweep](results/{name})\n\n"
+            f"{law(fit)}\n\n")
+
+
+def other_sweeps(campaign):
+    if not campaign.sweeps:
+        return ""
+    return "## Other keys\n\n" + "".join(map(other_sweep, campaign.sweeps.values()))
 
 
 def missing(campaign):
@@ -120,7 +122,7 @@ def not_covered(campaign):
 
 def main():
     work, count = Path(sys.argv[1]), int(sys.argv[2])
-    campaign = Campaign(work / "0")
+    campaign = Campaign(work / "0", [work / str(k) for k in range(1, count)])
     figures = ((fig_spatiotemporal.make_sweep, "spatiotemporal_sweep.png", "figure3.png"), (fig_bursts.make, "bursts.png", "figure4.png"),
                (fig_lapses.make, "lapses.png", "figure5.png"))
     for make, name, target in figures:
@@ -130,7 +132,7 @@ def main():
     page = Template((HERE / "template.md").read_text(encoding="utf-8")).substitute(
         summary=summary(campaign), missing=missing(campaign), points=points(campaign), law=law(fit) + rivals(fit),
         claims=table(head, claims.rows(campaign)), trends=table(head, claims.trend_rows(campaign)),
-        sweeps="".join(other_sweep(work / str(k), k) for k in range(1, count)),
+        sweeps=other_sweeps(campaign),
         arguments=" ".join(["campaign", *(f"sweep{k}" for k in range(1, count))]), not_covered=not_covered(campaign))
     (HERE.parent / "results.md").write_text(page.rstrip("\n") + "\n", encoding="utf-8")
 
