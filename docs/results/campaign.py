@@ -2,6 +2,7 @@
 
 import math
 import sys
+import tomllib
 from pathlib import Path
 
 FIGURES = Path(__file__).resolve().parents[2] / "postprocess" / "figures"
@@ -57,8 +58,12 @@ class Sweep:
 
 
 class Campaign:
-    def __init__(self, folder, sweeps=()):
-        self.sweeps = {sweep.key: sweep for sweep in map(Sweep, sweeps)}
+    """All sizes at one set of numerics; beside it others of the same sizes, and sweeps of other keys."""
+
+    def __init__(self, folder, beside=()):
+        others = [Sweep(other) for other in beside]
+        self.others = [Campaign(sweep.statistics.folder) for sweep in others if sweep.key == "D/d"]
+        self.sweeps = {sweep.key: sweep for sweep in others if sweep.key != "D/d"}
         self.statistics = Statistics(folder)
         self.trend = self.statistics.data["trend"]
         self.points = sorted((Point(self.statistics, p) for p in self.trend["points"]), key=lambda p: p.ratio)
@@ -68,6 +73,14 @@ class Campaign:
         """The point of a diameter, or None when it was not run."""
         ratio = NECK_UM / diameter_um
         return next((p for p in self.points if abs(p.ratio - ratio) < 0.01 * ratio), None)
+
+    def numerics(self):
+        """What the first size was computed with, in words."""
+        scene = tomllib.loads(self.points[0].group["scene"])
+        modulus = float(scene["contact"]["youngs_modulus"].split()[0])
+        time = scene["time"]
+        return (f"{number(1e-6 * modulus)} MPa, mass x {time['mass_scale']:g}, moment of inertia x {time['rotational_inertia_scale']:g}, a step of "
+                f"{time['contact_limit_share']:g} of what the contacts allow")
 
     def missing(self):
         return [d for d in PAPER_DIAMETERS_UM if self.at(d) is None]

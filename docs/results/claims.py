@@ -54,7 +54,7 @@ def longer_flow(campaign):
 
 
 def continuous(campaign):
-    point = campaign.at(10)
+    point = next((c.at(10) for c in (campaign, *campaign.others) if c.at(10)), None)
     if point is None:
         return "10 um was not run (a second of it takes days on one core)", ABSENT
     arrests = point.trend["alpha"]

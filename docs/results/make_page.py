@@ -1,5 +1,6 @@
 """Writes docs/results.md and its figures. Called by docs/make_results with a folder of statistics, one a sweep, and their number."""
 
+import math
 import sys
 import tempfile
 from pathlib import Path
@@ -119,6 +120,25 @@ def other_sweeps(campaign):
     return "## Other keys\n\n" + "".join(map(other_sweep, campaign.sweeps.values()))
 
 
+def other_numerics(campaign):
+    """<s> of the same sizes at other numerics, and the ratio with its interval (errors of both, in the logarithm)."""
+    text = ""
+    for other in campaign.others:
+        rows = []
+        for p in campaign.with_clogs():
+            o = next((o for o in other.with_clogs() if abs(o.ratio - p.ratio) < 0.01 * p.ratio), None)
+            if o is None:
+                continue
+            a, b = p.trend["mean_burst"], o.trend["mean_burst"]
+            ratio = b["value"] / a["value"]
+            spread = math.hypot(*(0.5 * math.log(m["high"] / m["low"]) for m in (a, b)))
+            rows.append([number(p.ratio), estimate(a), len(o.group["runs"]), f"{b['stops']} / {b['passages']}", estimate(b),
+                         f"{number(ratio)} [{number(ratio * math.exp(-spread))}, {number(ratio * math.exp(spread))}]"])
+        head = ["D/d", "<s>", "seeds there", "clogs / passages there", "<s> there", "ratio"]
+        text += f"## At other numerics\n\nThere: {other.numerics()}.\n\n{table(head, rows)}\n\n"
+    return text
+
+
 def missing(campaign):
     sizes = ", ".join(f"{d} um (D/d = {number(100 / d)})" for d in campaign.missing())
     return f"Sizes of the paper without a run: {sizes}." if sizes else "All nine sizes were run."
@@ -145,8 +165,9 @@ def main():
     page = Template((HERE / "template.md").read_text(encoding="utf-8")).substitute(
         summary=summary(campaign), missing=missing(campaign), points=points(campaign), law=law(fit) + rivals(fit), memory=memory(campaign),
         claims=table(head, claims.rows(campaign)), trends=table(head, claims.trend_rows(campaign)),
-        sweeps=other_sweeps(campaign),
-        arguments=" ".join(["campaign", *(f"sweep{k}" for k in range(1, count))]), not_covered=not_covered(campaign))
+        sweeps=other_numerics(campaign) + other_sweeps(campaign),
+        numerics=campaign.numerics(),
+        arguments=" ".join(["campaign", *(["SWEEP ..."] if count > 1 else [])]), not_covered=not_covered(campaign))
     (HERE.parent / "results.md").write_text(page.rstrip("\n") + "\n", encoding="utf-8")
 
 
