@@ -14,6 +14,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/enough_seeds.hpp"
 #include "cli/progress.hpp"
 #include "cli/verbs.hpp"
 #include "coupling/flow_rescale.hpp"
@@ -38,7 +39,7 @@ constexpr std::chrono::seconds rank_0_speaks_within{5};
 
 struct RunOptions {
   std::filesystem::path scene, flow, out;
-  std::string seeds, tolerance, time_limit;
+  std::string seeds, tolerance, time_limit, until;
   Overrides overrides;
   std::vector<std::string> sweeps;
 };
@@ -104,9 +105,10 @@ std::vector<Prepared> prepare_points(const RunOptions& options) {
 
 /// Rank 0 speaks for all ranks that meet the same problem, and its end ends them; one that is alone with its
 /// problem says so.
-std::vector<Prepared> prepare_on(const RunOptions& options, const Launch& launch) {
+template <class Work>
+auto on_every_rank(const Launch& launch, const Work& work) {
   try {
-    return prepare_points(options);
+    return work();
   } catch (const std::exception& error) {
     const auto end = std::chrono::steady_clock::now() + rank_0_speaks_within;
     while (launch.rank != 0 && !stop_asked && std::chrono::steady_clock::now() < end)
@@ -145,6 +147,29 @@ EnsembleCall call_for(const std::vector<Prepared>& points, const RunOptions& opt
   return call;
 }
 
+/// One decision an ensemble, or none.
+std::vector<std::shared_ptr<EnoughSeeds>> decide_by(const std::string& until, EnsembleCall& call) {
+  std::vector<std::shared_ptr<EnoughSeeds>> decisions;
+  if (until.empty()) return decisions;
+  const postprocess::StoppingRule rule(until);
+  for (Ensemble& ensemble : call.ensembles) {
+    decisions.push_back(std::make_shared<EnoughSeeds>(rule, ensemble));
+    ensemble.wanted = [decision = decisions.back()](std::uint64_t seed) { return decision->wanted(seed); };
+  }
+  return decisions;
+}
+
+/// What was decided. \throws Error if more seeds are needed than were allowed
+void say(const std::vector<std::shared_ptr<EnoughSeeds>>& decisions, const EnsembleCall& call) {
+  std::vector<std::string> not_met;
+  for (std::size_t i = 0; i < decisions.size(); ++i) {
+    const std::string& point = call.ensembles[i].name;
+    const std::string line = (point.empty() ? "" : point + ": ") + decisions[i]->summary();
+    decisions[i]->is_met() ? fmt::print("{}\n", line) : not_met.push_back(line);
+  }
+  require(not_met.empty() || stop_asked, "{}: give more --seeds", fmt::join(not_met, "; "));
+}
+
 /// The last words of rank 0, which stays until everything is settled. The others end with status 0 whatever
 /// happened to their seeds: launchers kill all ranks when one ends otherwise.
 void conclude(const EnsembleCall& call, const EnsembleResult& result, const std::filesystem::path& out) {
@@ -164,8 +189,9 @@ void run(const RunOptions& options) {
   for (const int signal : {SIGTERM, SIGINT, SIGALRM}) std::signal(signal, [](int) { stop_asked = true; });
   if (!options.time_limit.empty()) stop_after(options.time_limit);
   const Launch launch = launch_from_environment();
-  const std::vector<Prepared> points = prepare_on(options, launch);
-  const EnsembleCall call = call_for(points, options, launch);
+  const auto points = on_every_rank(launch, [&] { return prepare_points(options); });
+  EnsembleCall call = call_for(points, options, launch);
+  const auto decisions = on_every_rank(launch, [&] { return decide_by(options.until, call); });
   ProgressLine line(launch.rank == 0 && isatty(STDERR_FILENO));
   const EnsembleResult result = run_ensembles(
       call, [&](const Progress& progress) { line.show(progress); },
@@ -173,7 +199,9 @@ void run(const RunOptions& options) {
         line.clear();
         say(report);
       });
+  for (const auto& decision : decisions) decision->settle();
   conclude(call, result, options.out);
+  if (launch.rank == 0) say(decisions, call);
 }
 
 }  // namespace
@@ -191,6 +219,10 @@ void add_run(CLI::App& app) {
                    "let the program choose the cheapest numerics measured to be within this, such as 0.05");
   verb->add_option("--time-limit", options->time_limit,
                    "stop after this time, such as '55 min', with every state saved; the same call goes on");
+  verb->add_option("--until", options->until,
+                   "use only as many of the seeds, in their order, as are enough: 'bursts>=1000', "
+                   "'relative_error(mean_burst)<=0.05'")
+      ->option_text("RULE");
   verb->add_option("--set", options->overrides, "key=value: overrides the scene")->allow_extra_args(false);
   verb->callback([options] {
     if (!options->tolerance.empty())

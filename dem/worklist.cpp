@@ -60,13 +60,12 @@ std::vector<Job> Worklist::done_before() {
   const auto count = static_cast<std::size_t>(call_.launch.count);
   for (auto k = static_cast<std::size_t>(call_.launch.rank); k < jobs_.size(); k += count) {
     const Ensemble& e = ensemble(k);
+    if (SeedLock::is_there(file(k))) claim(k);
     std::error_code ignored;
     if (std::filesystem::exists(file(k), ignored) ||
         (e.wanted && std::filesystem::exists(ahead_file(e, jobs_[k].seed), ignored))) {
       done.push_back(jobs_[k]);
       settled_[k] = 1;
-    } else if (SeedLock::is_there(file(k))) {
-      claim(k);
     }
   }
   return done;
@@ -108,6 +107,11 @@ bool Worklist::is_settled(std::size_t k) const {
   return std::getline(failure, call) && call == call_.launch.call;
 }
 
+/// Its process may be killed between the result and the end of its lock.
+bool Worklist::is_over(std::size_t k) const {
+  return settled_[k] || (is_settled(k) && !SeedLock::is_there(file(k)));
+}
+
 std::optional<Claim> Worklist::claim(std::size_t k) {
   try {
     auto lock = SeedLock::take(
@@ -118,7 +122,12 @@ std::optional<Claim> Worklist::claim(std::size_t k) {
       if (k % static_cast<std::size_t>(call_.launch.count) != static_cast<std::size_t>(call_.launch.rank))
         settled_[k] = 1;
     }
-    if (is_settled(k)) return {};
+    if (is_settled(k)) {
+      // Its process died, or was about to end, after the result: what else it left is of no use.
+      std::error_code ignored;
+      if (std::filesystem::exists(file(k), ignored)) remove_states(ensemble(k), jobs_[k].seed);
+      return {};
+    }
     return Claim{jobs_[k], std::move(*lock)};
   } catch (const std::exception& error) {
     settled_[k] = 1;
@@ -135,7 +144,7 @@ std::optional<Claim> Worklist::next_left() {
   }
   while (!open_->empty() && !must_stop()) {
     const std::size_t i = static_cast<std::size_t>(call_.launch.rank) % open_->size(), k = (*open_)[i];
-    auto mine = is_settled(k) ? std::nullopt : claim(k);
+    auto mine = is_over(k) ? std::nullopt : claim(k);
     const Look seen = mine ? Look::settled : look(k);
     if (seen == Look::settled)
       open_->erase(open_->begin() + static_cast<std::ptrdiff_t>(i));
@@ -155,7 +164,7 @@ std::optional<Claim> Worklist::next_left() {
 }
 
 Worklist::Look Worklist::look(std::size_t k) {
-  if (is_settled(k)) return Look::settled;
+  if (is_over(k)) return Look::settled;
   const std::string holder = SeedLock::holder(file(k));
   // Without a line somebody is just taking it or leaving it.
   if (holder.empty() || holder.starts_with(call_.launch.call + " ")) return Look::busy_here;

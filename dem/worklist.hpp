@@ -72,6 +72,7 @@ private:
   const Ensemble& ensemble(std::size_t k) const { return call_.ensembles[jobs_[k].ensemble]; }
   std::filesystem::path file(std::size_t k) const { return run_file(ensemble(k), jobs_[k].seed); }
   bool is_settled(std::size_t k) const;
+  bool is_over(std::size_t k) const;
   bool is_taken(std::size_t k) const { return is_settled(k) || SeedLock::is_there(file(k)); }
   std::size_t first_free(std::size_t from) const;
   std::optional<Claim> claim(std::size_t k);

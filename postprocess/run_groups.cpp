@@ -23,15 +23,6 @@ std::vector<fs::path> run_files_right_in(const fs::path& folder) {
   return files;
 }
 
-ClogScale clog_scale(const Scene& scene, std::optional<double> threshold, const fs::path& file) {
-  const double tau = scene.stokes_time();
-  require(tau > 0 || threshold,
-          "{}: its scene has no flow, hence no Stokes time d/v to define a clog: give --threshold",
-          file.string());
-  const double t_min = threshold.value_or(0.5 * tau);
-  return {tau > 0 ? tau : 2.0 * t_min, t_min};
-}
-
 /// What the first run file of a folder showed.
 struct Known {
   SceneLines lines;
@@ -87,7 +78,7 @@ private:
     group.scene = parse_scene(run.scene_text, file.string());
     group.scene_text = run.scene_text;
     group.lines = lines;
-    group.scale = clog_scale(group.scene, threshold_, file);
+    group.scale = clog_scale(group.scene, threshold_, file.string());
     group.provenance = run.provenance;
     return group;
   }

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "coupling/run_file.hpp"
@@ -18,6 +20,9 @@ struct ClogScale {
   double tau = 0;        ///< Stokes time d/v of the scene [s]
   double threshold = 0;  ///< T_min: a longer lapse is a clog [s]
 };
+
+/// \param threshold T_min [s]; absent: tau/2 \throws Error for a scene without a flow if it is absent too
+ClogScale clog_scale(const Scene& scene, std::optional<double> threshold, const std::string& where);
 
 /// Means over the second half of the window: the packed state.
 struct SteadyState {

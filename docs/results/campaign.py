@@ -1,8 +1,8 @@
 """The statistics of the campaign, by size of the neck, and how its numbers are written."""
 
-import csv
 import math
 import sys
+import tomllib
 from pathlib import Path
 
 FIGURES = Path(__file__).resolve().parents[2] / "postprocess" / "figures"
@@ -35,8 +35,35 @@ class Point:
         return sum(run["wall_time"] or math.nan for run in self.group["runs"]) / 3600
 
 
-class Campaign:
+class Sweep:
+    """<s> along another key, at one size."""
+
     def __init__(self, folder):
+        self.statistics = Statistics(folder)
+        self.trend = self.statistics.data["trend"]
+        self.key = self.trend["variable"]["name"]
+        self.points = sorted(self.trend["points"], key=lambda p: p["x"])
+        self.groups = [self.statistics.groups[p["group"]] for p in self.points]
+        self.ratio = self.groups[0]["geometry"]["neck_ratio"]
+
+    def values(self):
+        return [p["values"][self.key] for p in self.points]
+
+    def chi_squared(self):
+        """Of a <s> that does not depend on the key, and its degrees of freedom: ln<s> about its weighted mean."""
+        logs = [math.log(p["mean_burst"]["value"]) for p in self.points]
+        weights = [(math.log(p["mean_burst"]["high"] / p["mean_burst"]["low"]) / (2 * 1.96)) ** -2 for p in self.points]
+        mean = sum(w * y for w, y in zip(weights, logs)) / sum(weights)
+        return sum(w * (y - mean) ** 2 for w, y in zip(weights, logs)), len(logs) - 1
+
+
+class Campaign:
+    """All sizes at one set of numerics; beside it others of the same sizes, and sweeps of other keys."""
+
+    def __init__(self, folder, beside=()):
+        others = [Sweep(other) for other in beside]
+        self.others = [Campaign(sweep.statistics.folder) for sweep in others if sweep.key == "D/d"]
+        self.sweeps = {sweep.key: sweep for sweep in others if sweep.key != "D/d"}
         self.statistics = Statistics(folder)
         self.trend = self.statistics.data["trend"]
         self.points = sorted((Point(self.statistics, p) for p in self.trend["points"]), key=lambda p: p.ratio)
@@ -46,6 +73,14 @@ class Campaign:
         """The point of a diameter, or None when it was not run."""
         ratio = NECK_UM / diameter_um
         return next((p for p in self.points if abs(p.ratio - ratio) < 0.01 * ratio), None)
+
+    def numerics(self):
+        """What the first size was computed with, in words."""
+        scene = tomllib.loads(self.points[0].group["scene"])
+        modulus = float(scene["contact"]["youngs_modulus"].split()[0])
+        time = scene["time"]
+        return (f"{number(1e-6 * modulus)} MPa, mass x {time['mass_scale']:g}, moment of inertia x {time['rotational_inertia_scale']:g}, a step of "
+                f"{time['contact_limit_share']:g} of what the contacts allow")
 
     def missing(self):
         return [d for d in PAPER_DIAMETERS_UM if self.at(d) is None]
