@@ -7,6 +7,10 @@
 #include <fmt/format.h>
 
 #include "cli/verbs.hpp"
+#include "coupling/flow_grid.hpp"
+#include "coupling/flow_reach.hpp"
+#include "coupling/flow_rescale.hpp"
+#include "dem/machine_speed.hpp"
 #include "dem/plan.hpp"
 #include "trade/fidelity.hpp"
 
@@ -14,7 +18,7 @@ namespace clog::cli {
 namespace {
 
 struct PlanOptions {
-  std::filesystem::path scene;
+  std::filesystem::path scene, flow;
   std::string tolerance;
   Overrides overrides;
 };
@@ -27,15 +31,34 @@ void print_limit(const char* what, double limit, double dt) {
     fmt::print("  {:<34} {:>10}\n", what, "none");
 }
 
+std::string share_of(const PlannedTerm& term) {
+  return term.share > 0 ? fmt::format("{:.0f} %", 100 * term.share) : "";
+}
+
+void print_flow(const Scene& scene, const Plan& plan, const std::filesystem::path& file) {
+  if (plan.grid_reach == 0) return;
+  fmt::print("\nflow: from {:.3g} m upstream of the narrowing the developed duct profile is exact to {:.2g} % of the "
+             "mean velocity (expected)\n",
+             plan.grid_reach, 100 * reach_tolerance);
+  if (!file.empty()) {
+    const FlowGrid flow = read_flow_grid(file);
+    check_flow_belongs(scene, flow);
+    fmt::print("      in {}: from {:.3g} m\n", file.string(), measured_reach(flow, scene, reach_tolerance));
+  }
+  const bool known = neck_reynolds_number(scene) <= largest_reynolds_number;
+  fmt::print("      a creeping flow scaled to this rate is wrong by {:.2g} % of the neck's mean velocity{}\n",
+             100 * plan.scaling_error, known ? "" : ", extrapolated: such a flow is not scaled");
+}
+
 void print_plan(const PlanOptions& options) {
   const auto [scene, fidelity] = trade::read_resolved_scene(options.scene, options.overrides);
   const Plan plan = make_plan(scene);
   if (!fidelity.empty()) fmt::print("{}\n\n", fidelity);
-  fmt::print("{:<34} {:<42} {:>10}  {:<7} {:<9} {}\n", "term", "decided by", "value", "needed",
-             "modelled", "because");
+  fmt::print("{:<34} {:<42} {:>10}  {:<7} {:<9} {:<5} {}\n", "term", "decided by", "value",
+             "needed", "modelled", "cost", "because");
   for (const PlannedTerm& t : plan.terms)
-    fmt::print("{:<34} {:<42} {:>10.3g}  {:<7} {:<9} {}\n", t.term, t.number, t.value,
-               t.needed ? "yes" : "no", t.modelled ? "yes" : "no", t.reason);
+    fmt::print("{:<34} {:<42} {:>10.3g}  {:<7} {:<9} {:<5} {}\n", t.term, t.number, t.value,
+               t.needed ? "yes" : "no", t.modelled ? "yes" : "no", share_of(t), t.reason);
   fmt::print("\ntime step {:.4g} s\n", plan.dt);
   print_limit("Hertz contact time", plan.limits.contact_time, plan.dt);
   print_limit("Rayleigh time", plan.limits.rayleigh_time, plan.dt);
@@ -43,10 +66,12 @@ void print_plan(const PlanOptions& options) {
   print_limit("lubrication at h = 2 xi", plan.limits.lubrication, plan.dt);
   print_limit("contacts in a pack", plan.limits.contacts, plan.dt);
   print_limit("0.01 d per step in the neck", plan.way_limit, plan.dt);
-  fmt::print("\none seed: about {:.0f} particles, {:.3g} steps and {:.3g} to fill the channel, "
-             "{:.3g} MB, {:.3g} s on one core at {:.2g} particle-steps/s\n",
-             plan.particles, plan.steps, plan.filling_steps, 1e-6 * plan.memory, plan.seconds,
-             nominal_rate);
+  print_flow(scene, plan, options.flow);
+  const double speed = instructions_per_second(0.3);
+  fmt::print("\none seed: about {:.0f} particles, {:.3g} steps and {:.3g} to fill the channel, {:.3g} MB, {:.3g} s on "
+             "one core of this machine ({:.2g} particle-steps/s, tried out now)\n",
+             plan.particles, plan.steps, plan.filling_steps, 1e-6 * plan.memory, plan.seconds(speed),
+             (plan.steps + plan.filling_steps) * plan.particles / plan.seconds(speed));
   for (const std::string& line : warnings(plan)) fmt::print("warning: {}\n", line);
 }
 
@@ -56,6 +81,7 @@ void add_plan(CLI::App& app) {
   auto* verb = app.add_subcommand("plan", "what a scene needs and costs");
   auto options = std::make_shared<PlanOptions>();
   verb->add_option("scene", options->scene, "scene file (TOML)")->required();
+  verb->add_option("--flow", options->flow, "flow.h5 of the scene: how far the neck is felt in it");
   verb->add_option("--tolerance", options->tolerance, "as for clog run");
   verb->add_option("--set", options->overrides, "key=value: overrides the scene")->allow_extra_args(false);
   verb->callback([options] {

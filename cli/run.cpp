@@ -82,7 +82,7 @@ Prepared prepare(const RunOptions& options, const SweepPoint& point, std::shared
   const std::vector<Particle> initial = read_initial_particles(prepared.scene);
   const Model model = make_model(prepared.scene, prepared.flow.get(), initial);
   check_step(expected_limits(model, initial), model);
-  prepared.cost = make_plan(prepared.scene).seconds;
+  prepared.cost = make_plan(prepared.scene).seconds();
   return prepared;
 }
 

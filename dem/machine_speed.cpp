@@ -71,7 +71,7 @@ double instructions_per_second(double duration) {
   }
   std::sort(spent.begin(), spent.end());
   const double step = std::max(spent[spent.size() / 4], 1e-9);
-  return lattice_instructions * static_cast<double>(simulation.particles().size()) / step;
+  return lattice_instructions * static_cast<double>(simulation.particles().size()) / (step * pack_slowness);
 }
 
 }  // namespace clog

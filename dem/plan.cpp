@@ -6,11 +6,14 @@
 #include <fmt/format.h>
 
 #include "coupling/channel_shape.hpp"
+#include "coupling/flow_reach.hpp"
+#include "coupling/flow_rescale.hpp"
 #include "dem/initial_particles.hpp"
 #include "dem/model.hpp"
 #include "dem/pack_estimates.hpp"
 #include "dem/physics/dimensionless.hpp"
 #include "dem/physics/time_step.hpp"
+#include "dem/term_costs.hpp"
 
 namespace clog {
 
@@ -104,7 +107,18 @@ void estimate_cost(const Scene& s, const Model& model, Plan& plan) {
           filling_share * s.geometry.channel_length / s.flow.mean_velocity / model.dt;
   }
   plan.memory = bytes_per_particle * plan.particles;
-  plan.seconds = (plan.steps + plan.filling_steps) * plan.particles / nominal_rate;
+  const double way = s.flow.mean_velocity * model.dt / s.particles.diameter;
+  const double each = instructions_per_particle_step(s, way);
+  plan.instructions = (plan.steps + plan.filling_steps) * plan.particles * each;
+  for (const TermCost& cost : term_costs(s))
+    for (PlannedTerm& term : plan.terms)
+      if (term.term == cost.term) term.share = cost.instructions / each;
+}
+
+void judge_flow(const Scene& s, Plan& plan) {
+  if (s.flow.source != FlowSource::openfoam) return;
+  plan.grid_reach = expected_reach(s, reach_tolerance);
+  plan.scaling_error = error_per_reynolds_number * neck_reynolds_number(s);
 }
 
 }  // namespace
@@ -116,6 +130,7 @@ Plan make_plan(const Scene& scene) {
   judge_contacts(scene, model, Judge{plan});
   find_limits(scene, model, plan);
   estimate_cost(scene, model, plan);
+  judge_flow(scene, plan);
   return plan;
 }
 

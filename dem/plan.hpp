@@ -17,6 +17,7 @@ struct PlannedTerm {
   bool needed;
   bool modelled;
   std::string reason;
+  double share = 0;    ///< of the instructions of a step [-]
 };
 
 struct Plan {
@@ -27,11 +28,19 @@ struct Plan {
   double steps = 0, filling_steps = 0;
   double particles = 0;
   double memory = 0;                      ///< of one run, without its flow [bytes]
-  double seconds = 0;                     ///< of one seed on one core, at the nominal rate [s]
+  double instructions = 0;                ///< of one seed
+  double grid_reach = 0;                  ///< how far the neck is felt upstream of the narrowing [m]
+  double scaling_error = 0;               ///< of a creeping flow scaled to this rate, over the neck's mean velocity [-]
+
+  /// Of one seed on one core that does so many instructions a second. [s]
+  double seconds(double speed = nominal_speed) const { return instructions / speed; }
+
+  /// Where none was tried out. [1/s]
+  static constexpr double nominal_speed = 6e9;
 };
 
-/// Particle-steps per second and core that the estimate assumes; a run prints its own.
-inline constexpr double nominal_rate = 5e6;
+/// Difference from the developed duct profile, over the mean velocity, that `grid_reach` allows [-].
+inline constexpr double reach_tolerance = 0.01;
 
 /// \throws Error if the scene has no time step
 Plan make_plan(const Scene& scene);

@@ -13,10 +13,10 @@ struct TermCost {
   double instructions;  ///< per particle and step [-]
 };
 
-/// Terms that the scene has and that cost something, and "everything else" (lists, contacts without friction,
-/// walls, integration). Counted in the pack of the paper's channel at 33 um with AVX-512 absent; packs of other
+/// Terms that the scene has and that cost something, and "everything else" (contacts with their sliding
+/// friction, walls, integration). Counted in the pack of the paper's channel at 33 um, AVX2; packs of other
 /// diameters have about as many contacts and films per particle.
-/// \source tests/benchmarks/term_costs; the table is in docs/performance.md
+/// \source tests/benchmarks/term_costs; the table is in docs/trade.md
 std::vector<TermCost> term_costs(const Scene& scene);
 
 /// All of them, and the renewal of the lists, which is the dearer the further particles go in one step.

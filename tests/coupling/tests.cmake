@@ -3,7 +3,7 @@ clog_tests(test_scene_reading
   LIBRARIES clog_coupling LABELS unit)
 clog_tests(test_flow_case
   SOURCES coupling/test_channel_geometry.cpp coupling/test_duct_flow.cpp
-          coupling/test_flow_error.cpp coupling/test_flow_rescale.cpp coupling/test_foam_case_writer.cpp coupling/test_foam_log.cpp coupling/test_foam_samples.cpp coupling/test_stl_channel.cpp
+          coupling/test_flow_error.cpp coupling/test_flow_reach.cpp coupling/test_flow_rescale.cpp coupling/test_foam_case_writer.cpp coupling/test_foam_log.cpp coupling/test_foam_samples.cpp coupling/test_stl_channel.cpp
   LIBRARIES clog_coupling LABELS unit)
 clog_tests(test_file_formats
   SOURCES coupling/test_flow_grid.cpp coupling/test_run_file.cpp coupling/test_hdf5_faults.cpp

@@ -1,9 +1,16 @@
 // Dimensionless numbers by hand for the paper's scene, and what the plan makes of them.
+#include <algorithm>
+#include <cmath>
+
 #include <gmock/gmock.h>
 
+#include "coupling/flow_reach.hpp"
+#include "coupling/flow_rescale.hpp"
+#include "dem/machine_speed.hpp"
 #include "dem/physics/dimensionless.hpp"
 #include "dem/physics/hertz.hpp"
 #include "dem/plan.hpp"
+#include "dem/term_costs.hpp"
 #include "tests/dem/channel_scene.hpp"
 
 namespace clog::test {
@@ -70,6 +77,44 @@ TEST(Plan, WarnsOfWhatIsMissing) {
               Contains(HasSubstr("gravity is needed")));
   EXPECT_THAT(warnings(make_plan(cheap_paper_scene({"time.step_fraction=0.5"}))),
               Contains(HasSubstr("is unstable")));
+}
+
+const PlannedTerm& term_named(const Plan& plan, const std::string& name) {
+  return *std::ranges::find(plan.terms, name, &PlannedTerm::term);
+}
+
+TEST(Plan, SharesOfTheCostAreThoseOfTheTermsThatTheSceneHas) {
+  const Plan with = make_plan(cheap_paper_scene()), without = make_plan(cheap_paper_scene({"lubrication.enabled=false"}));
+  const double share = term_named(with, "lubrication").share;
+  EXPECT_GT(share, 0.1);
+  EXPECT_EQ(term_named(without, "lubrication").share, 0);
+  EXPECT_NEAR(without.instructions / with.instructions, 1 - share, 1e-9);
+  double sum = 0;
+  for (const PlannedTerm& term : with.terms) sum += term.share;
+  EXPECT_LT(sum, 1);
+}
+
+TEST(Plan, CostGrowsWithStepsAndWithTheWayOfOneStep) {
+  const Scene scene = cheap_paper_scene();
+  const double still = instructions_per_particle_step(scene, 0), moving = instructions_per_particle_step(scene, 1e-3);
+  EXPECT_GT(moving, still);
+  EXPECT_DOUBLE_EQ(instructions_per_particle_step(scene, 2e-3) - moving, moving - still);
+  const Plan plan = make_plan(scene), longer = make_plan(cheap_paper_scene({"time.end=2 s"}));
+  EXPECT_GT(longer.instructions, plan.instructions);
+  EXPECT_DOUBLE_EQ(plan.seconds(1e9), 2 * plan.seconds(2e9));
+}
+
+TEST(Plan, SaysHowFarTheNeckIsFelt) {
+  // W / (2 pi) ln 100 with W = 400 um; and 0.034 / 1.18 of Re = 1062 x 0.02 x 1e-4 / 1.8e-3 = 1.18.
+  const Plan plan = make_plan(cheap_paper_scene({"flow.source=openfoam"}));
+  EXPECT_NEAR(plan.grid_reach, 2.9317e-4, 1e-7);
+  EXPECT_NEAR(plan.scaling_error, 0.034, 1e-4);
+}
+
+TEST(MachineSpeed, IsMeasured) {
+  const double speed = instructions_per_second(0);
+  EXPECT_GT(speed, 0);
+  EXPECT_TRUE(std::isfinite(speed));
 }
 
 }  // namespace

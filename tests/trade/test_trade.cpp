@@ -95,7 +95,7 @@ TEST(TradePresets, FollowTheirRuleOverAllStudies) {
 
 TEST(TradePresets, AreThoseOfTheCommittedStudy) {
   std::vector<json> studies;
-  for (const char* name : {"d50.json", "d33.json"})
+  for (const char* name : {"d50.json", "d33.json", "d25.json"})
     studies.push_back(json::parse(
         read_text_file(std::filesystem::path(CLOG_SOURCE_DIR) / "docs" / "trade" / name)));
   EXPECT_EQ(combine(studies), measured_settings());
