@@ -64,10 +64,18 @@ Hdf5Writer::Hdf5Writer(const std::filesystem::path& file, const FileFormat& form
   H5Pset_libver_bounds(access.id(), H5F_LIBVER_V110, H5F_LIBVER_V110);
   H5Pset_file_locking(access.id(), true, true);
   handle_ = file_handle(H5Fcreate(part_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()));
-  require(handle_.valid(), "{} (cannot be created: does its folder exist, is it writable?)",
-          part_.string());
-  attribute("/", "format", format.name);
-  attribute("/", "version", std::vector<std::int64_t>{format.version});
+  try {
+    require(handle_.valid(), "{} (cannot be created: does its folder exist, is it writable, disk full?)",
+            part_.string());
+    attribute("/", "format", format.name);
+    attribute("/", "version", std::vector<std::int64_t>{format.version});
+  } catch (const Error&) {
+    // On a full disk the library makes an empty file before it fails; no destructor follows a constructor's throw.
+    handle_.reset();
+    std::error_code ignored;
+    std::filesystem::remove(part_, ignored);
+    throw;
+  }
 }
 
 Hdf5Writer::~Hdf5Writer() {

@@ -51,7 +51,12 @@ void publish_file(const std::string& content, const std::filesystem::path& file)
 }
 
 void rename_whole_file(const std::filesystem::path& part, const std::filesystem::path& file) {
-  std::error_code failure = flush_path(part);
+  std::error_code failure = flush_path(part), ignored;
+  // A rename would put our file in the place of a device such as /dev/null; root may do that.
+  if (const auto there = std::filesystem::status(file, ignored);
+      std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
+    failure = std::make_error_code(std::filesystem::is_directory(there) ? std::errc::is_a_directory
+                                                                         : std::errc::invalid_argument);
   if (!failure) std::filesystem::rename(part, file, failure);
   if (failure) give_up(part, file, failure);
   // Some file systems refuse this for folders; the file itself is whole anyway.

@@ -162,6 +162,9 @@ struct Scene {
     std::vector<std::string> sweep;  ///< "key = value, value": see coupling/sweep.hpp
   } ensemble;
 
+  /// Of the flow that the scene has: the mean over the wide channel, or the uniform one [m/s]; 0 without.
+  double flow_speed() const;
+
   /// tau = d / v, the time a particle takes to travel its diameter [s]; 0 without a flow.
   double stokes_time() const;
 };

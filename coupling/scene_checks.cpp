@@ -109,6 +109,21 @@ void check_terms(const SceneDraft& draft) {
       draft.name);
   require(scene.unclog.protocol == UnclogProtocol::none || shape,
           "{} (needs a [geometry] with neck_width)", draft.says("unclog.protocol"));
+  // What counts as rest is a share of the flow's speed.
+  require(scene.unclog.protocol == UnclogProtocol::none || scene.flow_speed() > 0,
+          "{} (needs a flow, which tells when a clog is at rest)", draft.says("unclog.protocol"));
+  require(!scene.inlet.enabled || scene.inlet.start == InletStart::empty || scene.flow_speed() > 0,
+          "{} (a flow must fill the channel: set flow.source, or inlet.start = \"empty\")",
+          draft.says("inlet.start"));
+}
+
+/// Nothing is ever counted at a plane that no particle reaches, or before which none begins.
+void check_plane(const SceneDraft& draft) {
+  const Scene& s = draft.scene;
+  if (!s.geometry.present || !(s.geometry.neck_width > 0) || !s.geometry.stl.empty()) return;
+  const double start = channel_start(s), end = channel_end(s);
+  require(s.passages.plane > start && s.passages.plane < end,
+          "{} (must be in the channel, from {} to {})", draft.says("passages.plane"), metres(start), metres(end));
 }
 
 void check_times(const SceneDraft& draft) {
@@ -130,6 +145,7 @@ void check_scene(const SceneDraft& draft) {
   check_particles(draft);
   check_flow(draft);
   check_terms(draft);
+  check_plane(draft);
   check_times(draft);
 }
 

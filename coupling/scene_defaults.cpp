@@ -170,11 +170,15 @@ void fill_times(SceneDraft& draft) {
 
 }  // namespace
 
-double Scene::stokes_time() const {
-  double speed = 0;
-  if (flow.source == FlowSource::openfoam) speed = flow.mean_velocity;
+double Scene::flow_speed() const {
+  if (flow.source == FlowSource::openfoam) return flow.mean_velocity;
   if (flow.source == FlowSource::uniform)
-    speed = std::hypot(flow.velocity[0], flow.velocity[1], flow.velocity[2]);
+    return std::hypot(flow.velocity[0], flow.velocity[1], flow.velocity[2]);
+  return 0;
+}
+
+double Scene::stokes_time() const {
+  const double speed = flow_speed();
   return speed > 0 ? particles.diameter / speed : 0;
 }
 

@@ -20,7 +20,7 @@ constexpr double rest_share = 1e-3;
 
 }  // namespace
 
-double rest_speed(const Scene& scene) { return rest_share * scene.flow.mean_velocity; }
+double rest_speed(const Scene& scene) { return rest_share * scene.flow_speed(); }
 
 std::vector<int> near_neck(const Particles& p, const Scene& scene) {
   std::vector<int> near, all;

@@ -138,14 +138,14 @@ void build_walls(Model& model, const FlowGrid* flow) {
 
 /// v in v_c = 0.1 v, or the fastest initial particle as v_c where nothing flows.
 double collision_speed(const Scene& scene, const std::vector<Particle>& initial) {
-  const auto& u = scene.flow.velocity;
-  const double uniform = Vec3(u.data()).norm();
-  if (scene.flow.mean_velocity > 0) return collision_speed_share * scene.flow.mean_velocity;
-  if (uniform > 0) return collision_speed_share * uniform;
+  if (scene.flow_speed() > 0) return collision_speed_share * scene.flow_speed();
   double fastest = 0;
   for (const Particle& p : initial) fastest = std::max(fastest, Vec3(p.vx, p.vy, p.vz).norm());
   return fastest;
 }
+
+/// Beyond, times are no longer told apart by a step, and no machine gets there: a wrong unit does.
+constexpr double most_steps = 1e15;
 
 void choose_step(Model& model, const std::vector<Particle>& initial) {
   const Scene& s = model.scene;
@@ -166,6 +166,9 @@ void choose_step(Model& model, const std::vector<Particle>& initial) {
       largest = std::min(largest, s.time.contact_limit_share * expected_limits(model, initial).contacts);
     model.dt = s.time.end / std::ceil(s.time.end / largest);
   }
+  require(s.time.end / model.dt < most_steps,
+          "time.end = {} s (would take {:.2g} steps of {:.3g} s, more than {:.0g}): lower it, or let the step be longer",
+          s.time.end, s.time.end / model.dt, model.dt, most_steps);
   model.steps = static_cast<std::int64_t>(std::llround(std::ceil(s.time.end / model.dt - 1e-9)));
 }
 

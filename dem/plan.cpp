@@ -104,7 +104,7 @@ void estimate_cost(const Scene& s, const Model& model, Plan& plan) {
                       sphere_volume(s.particles.diameter / 2);
     if (s.inlet.start == InletStart::filled)
       plan.filling_steps =
-          filling_share * s.geometry.channel_length / s.flow.mean_velocity / model.dt;
+          filling_share * s.geometry.channel_length / s.flow_speed() / model.dt;
   }
   plan.memory = bytes_per_particle * plan.particles;
   const double way = s.flow.mean_velocity * model.dt / s.particles.diameter;

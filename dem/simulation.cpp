@@ -134,7 +134,7 @@ bool Simulation::settled() {
   const Scene& s = model_.scene;
   const double tau = s.stokes_time();
   const double bound =
-      std::max(100 * tau, longest_fill * s.geometry.channel_length / s.flow.mean_velocity);
+      std::max(100 * tau, longest_fill * s.geometry.channel_length / s.flow_speed());
   filling_.at_rest = false;
   if (time() > filling_.stage_began + bound) return true;
   if (time() < filling_.next_look) return false;

@@ -24,11 +24,6 @@ double smallest_radius(const Scene& scene, const std::vector<Particle>& initial)
   return radius;
 }
 
-double flow_speed(const Scene& s) {
-  const auto& u = s.flow.velocity;
-  return std::max(s.flow.mean_velocity, Vec3(u.data()).norm());
-}
-
 double voidage(const Scene& s) {
   return s.porosity.strips > 0 ? voidage_function(pack_porosity) : 1.0;
 }
@@ -41,7 +36,7 @@ double impact_overlap(double mass, double speed, const ContactLaw& law, double r
 
 double expected_overlap(const Model& model, const Particle& sphere, const std::vector<Particle>& initial) {
   const Scene& s = model.scene;
-  const double d = 2 * sphere.radius, v = flow_speed(s);
+  const double d = 2 * sphere.radius, v = s.flow_speed();
   double impact = v > 0 ? collision_speed_share * v : 0;
   for (const Particle& p : initial) impact = std::max(impact, Vec3(p.vx, p.vy, p.vz).norm());
   const auto& f = s.body_force;

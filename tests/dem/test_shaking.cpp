@@ -19,7 +19,8 @@ struct Pressed {
     set_friction(scene, {0.6, 0.6, 0.6});
     set_floor(scene, 1e-3);
     scene.body_force = {0, 0, -1e-7};
-    scene.flow.mean_velocity = 1e-2;  // so that less than 1e-5 m/s is rest
+    scene.flow.source = FlowSource::uniform;
+    scene.flow.velocity = {1e-2, 0, 0};  // so that less than 1e-5 m/s is rest
     scene.time.allow_unstable = true;
     scene.time.step = share * at_rest_limit();
     scene.time.end = 20000 * scene.time.step;
@@ -59,12 +60,14 @@ TEST(Shaking, AboveTheLimitIsSeenBetweenWholeSteps) {
   EXPECT_LT(16.5e-6 * std::hypot(spin[0], spin[1], spin[2]), 1e-5);
 }
 
+// The motion is chaotic, so the whole-step speed is bounded loosely: it is some tenth of the other.
 TEST(Shaking, FarAboveTheLimitSpeedsOfTheSeriesShowIt) {
-  const auto [run, notes] = outcome(2.2);
-  EXPECT_GT(run.series.median_speed.back(), 1e-5);
-  const auto& velocity = run.snapshots.back().velocity;
-  // Not to and fro exactly: the sphere slips at its cap.
-  EXPECT_LT(std::hypot(velocity[0], velocity[1], velocity[2]), 0.5 * run.series.median_speed.back());
+  for (const double share : {2.1, 2.2, 2.3}) {
+    const auto [run, notes] = outcome(share);
+    EXPECT_GT(run.series.median_speed.back(), 1e-5);
+    const auto& velocity = run.snapshots.back().velocity;
+    EXPECT_LT(std::hypot(velocity[0], velocity[1], velocity[2]), 0.5 * run.series.median_speed.back()) << share;
+  }
 }
 
 TEST(Shaking, BelowTheLimitThereIsNone) {

@@ -112,6 +112,7 @@ TEST(StepLimits, AShareOfTheContactsLimitShortensTheStepOnly) {
   const std::vector<Particle> one{{.radius = 16.5e-6, .z = 16.5e-6}};
   Scene s = pressed(1e-8);
   s.time.step = 0;
+  s.flow.source = FlowSource::uniform;
   s.flow.velocity = {0, 0, -1e-3};
   s.time.end = 1;
   s.time.step_fraction = 1;

@@ -1,9 +1,12 @@
 // Scenes at the edge of sense: no particle, one too large, an inlet without room, a field that is no field.
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include <gmock/gmock.h>
 
+#include "dem/clog_watch.hpp"
 #include "dem/initial_particles.hpp"
 #include "tests/coupling/refusal.hpp"
 #include "tests/faults/small_channel.hpp"
@@ -75,6 +78,48 @@ TEST(FullInlet, OfAShortChannelKeepsOutOfTheNarrowing) {
   const RunData run = Simulation(scene, &flow, 1).run();
   ASSERT_GT(run.provenance["inserted"].get<std::int64_t>(), 0);
   EXPECT_LE(*std::max_element(run.series.largest_overlap.begin(), run.series.largest_overlap.end()), 0.002 * 60e-6);
+}
+
+// A pack is at rest below a share of the flow's speed, whatever the flow comes from: without that a filled start never ended.
+TEST(UniformFlow, TellsWhatRestIsAndFillsAChannel) {
+  const Scene scene = small_channel({"flow.source=uniform", "flow.velocity=5 mm/s", "time.end=1 ms"});
+  EXPECT_DOUBLE_EQ(scene.flow_speed(), 5e-3);
+  EXPECT_DOUBLE_EQ(rest_speed(scene), rest_speed(small_channel({"flow.mean_velocity=5 mm/s"})));
+  EXPECT_GT(Simulation(scene, nullptr, 1).run().provenance["fill_time_s"].get<double>(), 0);
+}
+
+TEST(UniformFlow, AloneFillsAChannelAndEndsClogs) {
+  const Overrides pushed = {"flow.source=none", "body_force=[\"1 nN\", \"0 N\", \"0 N\"]",
+                            "unclog.after=1 ms", "output.series_interval=1 ms", "porosity.update_interval=1 ms"};
+  const auto with = [&](const char* more) {
+    Overrides all = pushed;
+    all.push_back(more);
+    return refusal([&] { small_channel(all); });
+  };
+  EXPECT_THAT(with("unclog.protocol=none"), AllOf(HasSubstr("inlet.start"), HasSubstr("a flow must fill the channel")));
+  EXPECT_THAT(with("inlet.start=empty"), AllOf(HasSubstr("unclog.protocol"), HasSubstr("needs a flow")));
+}
+
+TEST(Steps, MoreThanTimeCanTellApartAreRefused) {
+  Scene scene = small_channel({"flow.source=uniform", "flow.velocity=5 mm/s"});
+  for (const auto& [end, step] : {std::pair{1e300, 0.0}, {0.02, 1e-300}}) {
+    scene.time.end = end, scene.time.step = step;
+    EXPECT_THAT(refusal([&] { Simulation(scene, nullptr, 1); }), AllOf(HasSubstr("time.end"), HasSubstr(" steps of ")));
+  }
+}
+
+TEST(PassagePlane, OutsideTheChannelIsRefused) {
+  for (const char* plane : {"1 m", "-1 m"})
+    EXPECT_THAT(refusal([&] { small_channel({fmt::format("passages.plane={}", plane)}); }),
+                AllOf(HasSubstr("passages.plane"), HasSubstr("must be in the channel, from ")));
+}
+
+TEST(FlowFile, IsNeverPutInThePlaceOfADevice) {
+  const ScratchFolder folder;
+  const auto pipe = folder.path() / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0666), 0);
+  EXPECT_THAT(refusal([&] { write_flow_grid(synthetic_flow(small_channel()), pipe); }), HasSubstr("cannot be written"));
+  EXPECT_TRUE(std::filesystem::is_fifo(pipe));
 }
 
 TEST(FlowFile, WithNaNIsNeitherWrittenNorRead) {

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/coupling/refusal.hpp"
 #include "tests/faults/program.hpp"
 
 namespace clog::test {
@@ -57,6 +58,16 @@ TEST(FullDisk, LosesNothingThatWasDone) {
   EXPECT_TRUE(job.result("full", 1) == job.result("undisturbed", 1));
   for (const auto& entry : std::filesystem::directory_iterator(job.path("full")))
     EXPECT_THAT(entry.path().string(), Not(HasSubstr(".part")));
+}
+
+// The library makes an empty file before it finds no room for its first bytes.
+TEST(FullDisk, WithoutRoomForAByteLeavesNoPart) {
+  const SmallJob job;
+  const SmallDisk disk(job.path("full"), "8k");
+  if (!disk.mounted()) GTEST_SKIP() << "needs the right to mount a small disk";
+  write_file(job.path("full/filler"), std::string(8192, 'x'));
+  EXPECT_THAT(refusal([&] { write_flow_grid(job.flow, job.path("full/flow.h5")); }), HasSubstr("disk full?"));
+  EXPECT_FALSE(std::filesystem::exists(job.path("full/flow.h5.part")));
 }
 
 TEST(FullDisk, AStateThatCannotBeWrittenCostsOnlyTheState) {
