@@ -144,8 +144,8 @@ double collision_speed(const Scene& scene, const std::vector<Particle>& initial)
   return fastest;
 }
 
-/// Beyond, times are no longer told apart by a step, and no machine gets there: a wrong unit does.
-constexpr double most_steps = 1e15;
+/// What a count of 64 bits holds; no machine gets there, a wrong unit does.
+constexpr double most_steps = 1e18;
 
 void choose_step(Model& model, const std::vector<Particle>& initial) {
   const Scene& s = model.scene;

@@ -100,7 +100,7 @@ TEST(UniformFlow, AloneFillsAChannelAndEndsClogs) {
   EXPECT_THAT(with("inlet.start=empty"), AllOf(HasSubstr("unclog.protocol"), HasSubstr("needs a flow")));
 }
 
-TEST(Steps, MoreThanTimeCanTellApartAreRefused) {
+TEST(Steps, MoreThanCanBeCountedAreRefused) {
   Scene scene = small_channel({"flow.source=uniform", "flow.velocity=5 mm/s"});
   for (const auto& [end, step] : {std::pair{1e300, 0.0}, {0.02, 1e-300}}) {
     scene.time.end = end, scene.time.step = step;
