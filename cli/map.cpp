@@ -37,9 +37,12 @@ void write_map(const MapOptions& options) {
     return 100 * grid.provenance["mesh_error"][key].get<double>();
   };
   fmt::print(
-      "error of the mesh, estimated from a coarser one, in % of the neck's mean velocity: "
+      "{}, in % of the neck's mean velocity: "
       "rms {:.2g}, {:.2g} at 99 of 100 points, at most {:.2g} beside the edge; pressure drop "
       "{:.4g} Pa within {:.2g} %\n",
+      grid.provenance["mesh_error"]["extrapolated"].get<bool>()
+          ? "extrapolated from this mesh and a coarser one; the error is at most about what that changed"
+          : "error of the mesh, estimated from a coarser one",
       percent("velocity_rms"), percent("velocity_99_percent"), percent("velocity_largest"),
       grid.provenance["pressure_drop"].get<double>(), percent("pressure_drop"));
 }

@@ -74,6 +74,7 @@ bool is_absent(const Scene& scene, std::string_view section) {
 bool decides_flow(std::string_view path) {
   return path.starts_with("geometry.") || path.starts_with("fluid.") ||
          path == "flow.mean_velocity" || path == "flow.mesh_cells_per_neck" ||
+         path == "flow.extrapolate" ||
          path == "flow.grid_spacing";
 }
 
