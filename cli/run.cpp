@@ -1,21 +1,28 @@
 // clog run: the particles, for every seed asked for.
 
 #include <atomic>
+#include <chrono>
+#include <cmath>
 #include <csignal>
 #include <filesystem>
 #include <memory>
+#include <thread>
 #include <vector>
 
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <fmt/format.h>
 
+#include "cli/enough_seeds.hpp"
 #include "cli/progress.hpp"
 #include "cli/verbs.hpp"
 #include "coupling/flow_rescale.hpp"
 #include "coupling/require.hpp"
 #include "coupling/sweep.hpp"
+#include "coupling/units.hpp"
 #include "dem/ensemble.hpp"
+#include "dem/initial_particles.hpp"
 #include "dem/plan.hpp"
 #include "dem/step_limit.hpp"
 #include "trade/fidelity.hpp"
@@ -27,9 +34,12 @@ namespace {
 /// handler may touch.
 std::atomic<bool> stop_asked = false;
 
+/// Time for rank 0 to say what all ranks would say, and to be ended by the launcher for it.
+constexpr std::chrono::seconds rank_0_speaks_within{5};
+
 struct RunOptions {
   std::filesystem::path scene, flow, out;
-  std::string seeds, tolerance;
+  std::string seeds, tolerance, time_limit, until;
   Overrides overrides;
   std::vector<std::string> sweeps;
 };
@@ -93,18 +103,30 @@ std::vector<Prepared> prepare_points(const RunOptions& options) {
   return all;
 }
 
-/// Prepares on every rank; of several ranks that fail, the first speaks for all.
-std::vector<Prepared> prepare_together(const RunOptions& options, Ranks& ranks) {
-  std::string problem;
-  std::vector<Prepared> prepared;
+/// Rank 0 speaks for all ranks that meet the same problem, and its end ends them; one that is alone with its
+/// problem says so.
+template <class Work>
+auto on_every_rank(const Launch& launch, const Work& work) {
   try {
-    prepared = prepare_points(options);
+    return work();
   } catch (const std::exception& error) {
-    problem = error.what();
+    const auto end = std::chrono::steady_clock::now() + rank_0_speaks_within;
+    while (launch.rank != 0 && !stop_asked && std::chrono::steady_clock::now() < end)
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    throw Error(stop_asked && launch.rank != 0 ? "" : error.what());
   }
-  const int speaker = ranks.least(problem.empty() ? ranks.count() : ranks.rank());
-  if (speaker == ranks.count()) return prepared;
-  throw Error(speaker == ranks.rank() ? problem : "");
+}
+
+/// From now on; asks to stop like a signal of the user.
+void stop_after(const std::string& limit) {
+  const Quantity quantity = parse_quantity(limit);
+  require(quantity.dimension == dimension::time && quantity.si > 0,
+          "--time-limit {} (must be a positive time such as '55 min')", limit);
+  itimerval timer{};
+  timer.it_value.tv_sec = static_cast<time_t>(quantity.si);
+  timer.it_value.tv_usec = static_cast<suseconds_t>(1e6 * (quantity.si - std::floor(quantity.si)));
+  if (timer.it_value.tv_sec == 0 && timer.it_value.tv_usec == 0) timer.it_value.tv_usec = 1;
+  require(::setitimer(ITIMER_REAL, &timer, nullptr) == 0, "--time-limit {} (the system has no such timer)", limit);
 }
 
 void say(const SeedReport& report) {
@@ -114,31 +136,72 @@ void say(const SeedReport& report) {
   std::fflush(stdout);
 }
 
-void run(const RunOptions& options) {
-  Ranks ranks;
-  std::signal(SIGTERM, [](int) { stop_asked = true; });
-  std::signal(SIGINT, [](int) { stop_asked = true; });
-  const std::vector<Prepared> points = prepare_together(options, ranks);
-  std::vector<Ensemble> ensembles;
-  std::size_t seeds = 0;
+EnsembleCall call_for(const std::vector<Prepared>& points, const RunOptions& options, const Launch& launch) {
+  EnsembleCall call{{}, launch, options.out / "ensemble.csv"};
   for (const Prepared& p : points) {
-    if (ranks.rank() == 0 && !p.note.empty())
+    if (launch.rank == 0 && !p.note.empty())
       fmt::print("{}{}\n", p.point.folder.empty() ? "" : p.point.folder + ": ", p.note);
-    ensembles.push_back(
+    call.ensembles.push_back(
         {p.scene, p.flow.get(), options.out / p.point.folder, &stop_asked, p.point.folder, p.cost});
-    seeds += p.scene.ensemble.seeds.size();
   }
-  ProgressLine line(ranks.rank() == 0 && isatty(STDERR_FILENO));
+  return call;
+}
+
+/// One decision an ensemble, or none.
+std::vector<std::shared_ptr<EnoughSeeds>> decide_by(const std::string& until, EnsembleCall& call) {
+  std::vector<std::shared_ptr<EnoughSeeds>> decisions;
+  if (until.empty()) return decisions;
+  const postprocess::StoppingRule rule(until);
+  for (Ensemble& ensemble : call.ensembles) {
+    decisions.push_back(std::make_shared<EnoughSeeds>(rule, ensemble));
+    ensemble.wanted = [decision = decisions.back()](std::uint64_t seed) { return decision->wanted(seed); };
+  }
+  return decisions;
+}
+
+/// What was decided. \throws Error if more seeds are needed than were allowed
+void say(const std::vector<std::shared_ptr<EnoughSeeds>>& decisions, const EnsembleCall& call) {
+  std::vector<std::string> not_met;
+  for (std::size_t i = 0; i < decisions.size(); ++i) {
+    const std::string& point = call.ensembles[i].name;
+    const std::string line = (point.empty() ? "" : point + ": ") + decisions[i]->summary();
+    decisions[i]->is_met() ? fmt::print("{}\n", line) : not_met.push_back(line);
+  }
+  require(not_met.empty() || stop_asked, "{}: give more --seeds", fmt::join(not_met, "; "));
+}
+
+/// The last words of rank 0, which stays until everything is settled. The others end with status 0 whatever
+/// happened to their seeds: launchers kill all ranks when one ends otherwise.
+void conclude(const EnsembleCall& call, const EnsembleResult& result, const std::filesystem::path& out) {
+  if (call.launch.rank != 0) return;
+  std::size_t seeds = 0;
+  for (const Ensemble& ensemble : call.ensembles) seeds += ensemble.scene.ensemble.seeds.size();
+  if (call.launch.count > 1 && result.busy > 0)
+    fmt::print("{} ranks, busy {:.1f} % of {:.1f} s\n", call.launch.count,
+               100 * result.busy / (result.duration * call.launch.count), result.duration);
+  if (result.left_to_others > 0)
+    fmt::print("{} of {} seeds are left to other calls that are at work on them, such as {}\n",
+               result.left_to_others, seeds, result.other);
+  require(result.failed == 0, "{} of {} seeds failed; the others are in {}", result.failed, seeds, out.string());
+}
+
+void run(const RunOptions& options) {
+  for (const int signal : {SIGTERM, SIGINT, SIGALRM}) std::signal(signal, [](int) { stop_asked = true; });
+  if (!options.time_limit.empty()) stop_after(options.time_limit);
+  const Launch launch = launch_from_environment();
+  const auto points = on_every_rank(launch, [&] { return prepare_points(options); });
+  EnsembleCall call = call_for(points, options, launch);
+  const auto decisions = on_every_rank(launch, [&] { return decide_by(options.until, call); });
+  ProgressLine line(launch.rank == 0 && isatty(STDERR_FILENO));
   const EnsembleResult result = run_ensembles(
-      ensembles, ranks, [&](const Progress& progress) { line.show(progress); },
+      call, [&](const Progress& progress) { line.show(progress); },
       [&](const SeedReport& report) {
         line.clear();
         say(report);
       });
-  if (result.failed == 0) return;
-  throw Error(ranks.rank() != 0 ? ""
-                                : fmt::format("{} of {} seeds failed; the others are in {}", result.failed,
-                                              seeds, options.out.string()));
+  for (const auto& decision : decisions) decision->accept();
+  conclude(call, result, options.out);
+  if (launch.rank == 0) say(decisions, call);
 }
 
 }  // namespace
@@ -154,6 +217,12 @@ void add_run(CLI::App& app) {
   verb->add_option("--out", options->out, "directory for the run files")->required();
   verb->add_option("--tolerance", options->tolerance,
                    "let the program choose the cheapest numerics measured to be within this, such as 0.05");
+  verb->add_option("--time-limit", options->time_limit,
+                   "stop after this time, such as '55 min', with every state saved; the same call goes on");
+  verb->add_option("--until", options->until,
+                   "use only as many of the seeds, in their order, as are enough: 'bursts>=1000', "
+                   "'relative_error(mean_burst)<=0.05'")
+      ->option_text("RULE");
   verb->add_option("--set", options->overrides, "key=value: overrides the scene")->allow_extra_args(false);
   verb->callback([options] {
     if (!options->tolerance.empty())

@@ -40,13 +40,37 @@ void print_summary(const nlohmann::json& statistics) {
   }
 }
 
+/// The laws of a sweep, or why there is none; nothing for a single ensemble.
+void print_trend(const nlohmann::json& statistics) {
+  const auto& trend = statistics.at("trend");
+  for (const auto& name : trend.at("without_runs"))
+    fmt::print("{}: no runs yet\n", name.get<std::string>());
+  if (statistics.at("groups").size() < 2) return;
+  for (const auto& series : trend.at("series")) {
+    for (const auto& [key, symbol] : {std::pair("mean_burst", "<s>"), {"alpha", "alpha"}}) {
+      const auto& fit = series.at(key);
+      const std::string label = series.at("label");
+      fmt::print("{}{}", label, label.empty() ? "" : ": ");
+      if (fit.contains("refused")) {
+        fmt::print("no law for {}: {}\n", symbol, fit.at("refused").get<std::string>());
+        continue;
+      }
+      const auto& b = fit.at("b");
+      fmt::print("{} = A exp(b {}), b = {:.4g} [{:.4g}, {:.4g}] from {} points, p = {:.2g}\n", symbol,
+                 fit.at("x").get<std::string>(), b.at("value").get<double>(),
+                 b.at("low").get<double>(), b.at("high").get<double>(),
+                 fit.at("points").get<std::size_t>(), fit.at("p_value").get<double>());
+    }
+  }
+}
+
 }  // namespace
 
 void add_stats(CLI::App& app) {
   auto* verb = app.add_subcommand("stats", "bursts, arrests and fits from run files");
   auto job = std::make_shared<postprocess::StatisticsJob>();
   auto threshold = std::make_shared<std::string>();
-  verb->add_option("dirs", job->folders, "folders with run_*.h5; several scenes: a folder each")
+  verb->add_option("dirs", job->folders, "folders with run_*.h5, or a sweep's folder of such folders")
       ->required();
   verb->add_option("--out", job->out, "folder for stats.json and the tables")->required();
   verb->add_option("--threshold", *threshold,
@@ -58,7 +82,9 @@ void add_stats(CLI::App& app) {
       ->capture_default_str();
   verb->callback([job, threshold] {
     if (!threshold->empty()) job->threshold = threshold_seconds(*threshold);
-    print_summary(postprocess::write_statistics(*job));
+    const auto statistics = postprocess::write_statistics(*job);
+    print_summary(statistics);
+    print_trend(statistics);
   });
 }
 

@@ -27,6 +27,7 @@ struct TradeOptions {
   fs::path scene, flow, out;
   std::string budget = "10 min";
   std::vector<fs::path> combine;
+  std::vector<std::string> settings;
   Overrides overrides;
 };
 
@@ -52,7 +53,7 @@ void run(const TradeOptions& options) {
   require(!options.scene.empty(), "clog trade needs a scene, or --combine");
   Ranks ranks;
   trade::Study study{options.scene, options.overrides, nullptr, options.out,
-                     budget_seconds(options.budget), &stop_asked};
+                     budget_seconds(options.budget), &stop_asked, options.settings};
   std::optional<FlowGrid> flow;
   if (!options.flow.empty()) study.flow = &flow.emplace(read_flow_grid(options.flow));
   std::signal(SIGTERM, [](int) { stop_asked = true; });
@@ -82,6 +83,7 @@ void add_trade(CLI::App& app) {
   verb->add_option("--budget", options->budget, "wall-clock time for runs; finished ones are kept")
       ->capture_default_str();
   verb->add_option("--combine", options->combine, "trade.json of several studies: the presets of all");
+  verb->add_option("--settings", options->settings, "run these settings only, by name; all that ran are evaluated");
   verb->add_option("--set", options->overrides, "key=value: overrides the scene")->allow_extra_args(false);
   verb->callback([options] { run(*options); });
 }

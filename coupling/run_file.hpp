@@ -45,8 +45,8 @@ struct RunData {
     std::vector<std::int64_t> wall_contacts;
     std::vector<double> drag_work;          ///< since the start [J]
     std::vector<double> dissipated;         ///< since the start [J]
-    std::vector<double> median_speed;       ///< [m/s]
-    std::vector<double> speed_q99;          ///< 99 % quantile of the speeds [m/s]
+    std::vector<double> median_speed;       ///< half a step before the places [m/s]
+    std::vector<double> speed_q99;          ///< 99 % quantile of the same [m/s]
   } series;
 
   /// The state at one time; always at the start and at the end, and every output.snapshot_interval.

@@ -69,6 +69,8 @@ void Checkpoint::remove() {
   std::error_code ignored;
   std::filesystem::remove(newest_, ignored);
   std::filesystem::remove(older_, ignored);
+  // Of a process that was killed while it wrote.
+  std::filesystem::remove(newest_.string() + ".part", ignored);
 }
 
 }  // namespace clog

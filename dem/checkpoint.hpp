@@ -24,7 +24,7 @@ public:
   bool load(const std::function<void(const std::string&)>& take,
             const std::function<void(const std::string&)>& say);
 
-  /// The run is done: removes both, as far as the system lets it.
+  /// The run is done: removes both and what a killed process left of them, as far as the system lets it.
   void remove();
 
 private:

@@ -9,9 +9,6 @@ namespace clog {
 
 namespace {
 
-/// A clog at rest still holds a few rattlers that the flow keeps turning.
-constexpr double slow_share = 0.9;
-
 /// Length of channel, in neck widths, in which arches stand.
 constexpr double clog_reach = 3;
 
@@ -25,17 +22,23 @@ constexpr double rest_share = 1e-3;
 
 double rest_speed(const Scene& scene) { return rest_share * scene.flow.mean_velocity; }
 
-ClogState clog_state(const Particles& p, const Scene& scene) {
-  std::vector<double> near, all;
-  ClogState state{0, 0, -1e300};
+std::vector<int> near_neck(const Particles& p, const Scene& scene) {
+  std::vector<int> near, all;
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (p[i].x >= scene.passages.plane) continue;
-    const double speed = std::sqrt(p[i].vx * p[i].vx + p[i].vy * p[i].vy + p[i].vz * p[i].vz);
-    all.push_back(speed);
-    if (p[i].x > -clog_reach * scene.geometry.neck_width) near.push_back(speed);
+    all.push_back(static_cast<int>(i));
+    if (p[i].x > -clog_reach * scene.geometry.neck_width) near.push_back(static_cast<int>(i));
+  }
+  return near.empty() ? all : near;
+}
+
+ClogState clog_state(const Particles& p, const Scene& scene) {
+  std::vector<double> speeds;
+  ClogState state{0, 0, -1e300};
+  for (const int i : near_neck(p, scene)) {
+    speeds.push_back(std::sqrt(p[i].vx * p[i].vx + p[i].vy * p[i].vy + p[i].vz * p[i].vz));
     state.position = std::max(state.position, p[i].x);
   }
-  std::vector<double>& speeds = near.empty() ? all : near;
   if (speeds.empty()) return {0, 0, 0};
   state.largest_speed = *std::max_element(speeds.begin(), speeds.end());
   state.quantile_speed = quantile(speeds, slow_share);

@@ -13,7 +13,14 @@ struct ClogState {
   double position;        ///< x of the most downstream particle upstream of the passage plane [m]
 };
 
-/// Looks at the particles within three neck widths upstream of the neck; at all, if none is there.
+/// Numbers of the particles within three neck widths upstream of the neck; of all upstream of the passage plane, if none is there.
+std::vector<int> near_neck(const Particles& particles, const Scene& scene);
+
+/// Share of the particles near the neck that must be at rest for a clog to be: a few rattlers that the flow keeps
+/// turning are left [-]
+inline constexpr double slow_share = 0.9;
+
+/// Of the particles near the neck, at the velocities half a step before their places.
 ClogState clog_state(const Particles& particles, const Scene& scene);
 
 /// The release protocol of silo experiments: when nothing has passed for `unclog.after` and the clog

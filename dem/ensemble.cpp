@@ -1,207 +1,128 @@
 #include "dem/ensemble.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <functional>
-#include <optional>
-#include <sstream>
 
-#include "coupling/content_hash.hpp"
-#include "coupling/require.hpp"
-#include "coupling/run_file.hpp"
-#include "coupling/text_file.hpp"
-#include "dem/checkpoint.hpp"
-#include "dem/seed_lock.hpp"
+#include "dem/ledger.hpp"
 
 namespace clog {
 
 namespace {
 
-/// The scene as the file of one seed carries it: its own seed alone, so that a file does not depend on
-/// which other seeds were asked for.
-Scene scene_of(const Scene& scene, std::uint64_t seed) {
-  Scene own = scene;
-  own.ensemble.seeds = {seed};
-  own.ensemble.sweep.clear();
-  return own;
-}
-
-/// Hash of what the scene only names: the field of the flow, the files of particles and walls.
-std::string inputs_hash(const Ensemble& ensemble) {
-  std::string inputs;
-  if (const FlowGrid* flow = ensemble.flow) {
-    inputs = flow->hash;
-    inputs.append(reinterpret_cast<const char*>(flow->velocity.data()),
-                  flow->velocity.size() * sizeof(float));
+const char* word_for(SeedEnd end) {
+  switch (end) {
+    case SeedEnd::done: return "done";
+    case SeedEnd::failed: return "failed";
+    case SeedEnd::stopped: return "stopped";
+    case SeedEnd::left: return "left";
   }
-  for (const std::string& file : {ensemble.scene.particles.initial, ensemble.scene.geometry.stl})
-    if (!file.empty()) inputs += read_text_file(file);
-  return content_hash(inputs);
+  return "";
 }
 
-void check_same_inputs(const RunData& done, const std::string& wanted, const std::string& file) {
-  require(done.provenance.value("inputs_hash", wanted) == wanted,
-          "{}: was made with another flow, or other files of particles or walls: give another --out",
-          file);
-}
-
-void check_same_scene(const RunData& done, const std::string& wanted, const std::string& file) {
-  std::istringstream a(done.scene_text), b(wanted);
-  for (std::string line_a, line_b; std::getline(a, line_a) && std::getline(b, line_b);)
-    require(line_a == line_b,
-            "{}: was made for another scene (\"{}\", now \"{}\"): give another --out", file, line_a,
-            line_b);
-}
-
-/// Thrown out of a run when it is asked to stop.
-struct Stopped {};
-
-void make_directory(const std::filesystem::path& directory) {
-  std::error_code error;
-  std::filesystem::create_directories(directory, error);
-  require(!error, "{}: cannot be made ({}): give another --out", directory.string(),
-          error.message());
-}
-
-/// Saves the state of a run when it is due or when the run must stop. A state that cannot be written
-/// (a full disk) is said and costs nothing but the state.
-class Saver {
+/// One rank of the call.
+class Rank {
 public:
-  Saver(Simulation& simulation, Checkpoint& checkpoint, const Ensemble& ensemble,
-        std::function<void(const std::string&)> say)
-      : simulation_(simulation),
-        checkpoint_(checkpoint),
-        interval_(ensemble.scene.output.checkpoint_interval),
-        stop_(ensemble.stop),
-        say_(std::move(say)) {}
-
-  void look() {
-    const bool stop = stop_ && stop_->load();
-    const std::chrono::duration<double> since = Clock::now() - last_;
-    if (!stop && since.count() < interval_) return;
-    last_ = Clock::now();
-    try {
-      checkpoint_.save(simulation_.save());
-      problem_.clear();
-    } catch (const std::exception& error) {
-      // A disk that stays full is said once.
-      if (problem_ != error.what()) say_(fmt::format("the state could not be saved: {}", error.what()));
-      problem_ = error.what();
-      if (stop) throw;
+  Rank(const EnsembleCall& call, const Watcher& watcher, const Reporter& report)
+      : call_(call),
+        watcher_(watcher),
+        report_(report),
+        ledger_(call.ledger, call.launch),
+        worklist_({call.ensembles, call.launch, [this](const Job& job, const std::string& why) { refused(job, why); },
+                   [this](const Job& job, const std::string& who) {
+                     if (call_.launch.rank == 0)
+                       tell(job, {job.seed, fmt::format("{} is at work on it; waits for that", who), false, true});
+                   }}) {
+    for (const Ensemble& ensemble : call.ensembles) {
+      make_directory(ensemble.directory);
+      inputs_.push_back(inputs_hash(ensemble));
     }
-    if (stop) throw Stopped{};
+  }
+
+  EnsembleResult work() {
+    const double began = seconds_now();
+    for (const Job& job : worklist_.done_before()) look_at(job);
+    while (const auto claim = worklist_.next()) {
+      if (worklist_.without_locks() && !std::exchange(said_without_locks_, true))
+        report_({claim->job.seed,
+                 "the directory is on a file system without locks: every rank does its own share of the seeds, "
+                 "and no second call may work here",
+                 false, true, ensemble_of(claim->job).name});
+      if (run(claim->job) == SeedEnd::stopped) break;
+    }
+    const Ledger::Sum sum = ledger_.sum();
+    return {std::max(sum.failed, failed_), worklist_.left_to_others(), worklist_.other(), sum.busy,
+            seconds_now() - began};
   }
 
 private:
-  using Clock = std::chrono::steady_clock;
-  Simulation& simulation_;
-  Checkpoint& checkpoint_;
-  double interval_;
-  const std::atomic<bool>* stop_;
-  std::function<void(const std::string&)> say_;
-  std::string problem_;  // of the last save
-  Clock::time_point last_ = Clock::now();
-};
+  const Ensemble& ensemble_of(const Job& job) const { return call_.ensembles[job.ensemble]; }
 
-std::string summary(const RunData& run) {
-  return fmt::format("{:.4g} s simulated in {:.1f} s, {:.3g} particle-steps/s, {} passages, {} releases",
-                     run.end_time, run.provenance["wall_time_s"].get<double>(),
-                     run.provenance["particle_steps_per_s"].get<double>(),
-                     run.passages.time.size(), run.releases.off.size());
-}
-
-/// \return one line about what happened
-std::string run_seed(const Ensemble& ensemble, const std::string& inputs, std::uint64_t seed,
-                     const Watcher& watcher, const std::function<void(const SeedReport&)>& report) {
-  const Scene scene = scene_of(ensemble.scene, seed);
-  const std::string scene_text = effective_scene(scene);
-  const auto file = ensemble.directory / run_file_name(seed);
-  const SeedLock lock(file);
-  if (std::filesystem::exists(file)) {
-    const RunData done = read_run_file(file);
-    check_same_scene(done, scene_text, file.string());
-    check_same_inputs(done, inputs, file.string());
-    Checkpoint(file, "").remove();  // of a run that was killed just after it wrote its file
-    return "already done";
+  /// What was done before needs no entry, unless it is not what it should be.
+  void look_at(const Job& job) {
+    const double began = seconds_now();
+    if (attempt(job) == SeedEnd::failed) enter(job, began, SeedEnd::failed);
   }
-  const auto say = [&](const std::string& line) { report({seed, line, false, true}); };
-  // The layout of a state is the compiled program's, and its last bits are the instruction set's.
-  Checkpoint checkpoint(file, scene_text + inputs + CLOG_REVISION __VERSION__ + select_kernels().name);
-  std::optional<Simulation> simulation(std::in_place, scene, ensemble.flow, seed);
-  const auto resume = [&](const std::string& state) {
+
+  SeedEnd run(const Job& job) {
+    const double began = seconds_now();
+    const SeedEnd end = attempt(job);
+    enter(job, began, end);
+    return end;
+  }
+
+  SeedEnd attempt(const Job& job) {
+    std::string last;
+    const SeedEnd end = run_locked_seed(ensemble_of(job), inputs_[job.ensemble], job.seed, watcher_,
+                                        [&](const SeedReport& said) {
+                                          last = said.line;
+                                          tell(job, said);
+                                        });
+    if (end == SeedEnd::failed) fail(job, last);
+    if (end == SeedEnd::done) worklist_.forget_failure(job);
+    if (end != SeedEnd::stopped) worklist_.settle(job);
+    return end;
+  }
+
+  void refused(const Job& job, const std::string& why) {
+    ++failed_;
+    tell(job, {job.seed, why, true});
+    enter(job, seconds_now(), SeedEnd::failed);
+  }
+
+  void fail(const Job& job, const std::string& why) {
+    ++failed_;
+    std::error_code ignored;
+    // A file that is no result of this scene stays as it is, without a mark beside it.
+    if (!std::filesystem::exists(run_file(ensemble_of(job), job.seed), ignored)) worklist_.mark_failed(job, why);
+  }
+
+  void tell(const Job& job, SeedReport said) const {
+    said.point = ensemble_of(job).name;
+    report_(said);
+  }
+
+  void enter(const Job& job, double began, SeedEnd end) {
     try {
-      simulation->resume(state);
-    } catch (...) {
-      // A state that proves bad half-way must leave nothing behind.
-      simulation.emplace(scene, ensemble.flow, seed);
-      throw;
+      ledger_.append({ensemble_of(job).name, job.seed, began, seconds_now(), word_for(end)});
+    } catch (const std::exception& error) {
+      // A disk that stays full is said once.
+      if (!std::exchange(said_no_ledger_, true)) tell(job, {job.seed, error.what(), false, true});
     }
-  };
-  checkpoint.load(resume, say);
-  simulation->on_note(say);
-  Saver saver(*simulation, checkpoint, ensemble, say);
-  RunData run = simulation->run([&](const Progress& progress) {
-    saver.look();
-    if (watcher) watcher(progress);
-  });
-  run.provenance["inputs_hash"] = inputs;
-  write_run_file(run, file);
-  checkpoint.remove();
-  return summary(run);
-}
-
-SeedEnd run_and_report(const Ensemble& ensemble, const std::string& inputs, std::uint64_t seed,
-                       const Watcher& watcher, const std::function<void(const SeedReport&)>& report) {
-  try {
-    report({seed, run_seed(ensemble, inputs, seed, watcher, report), false});
-    return SeedEnd::done;
-  } catch (const Stopped&) {
-    report({seed, "stopped; its state is saved, the same call goes on from there", false});
-    return SeedEnd::stopped;
-  } catch (const std::exception& error) {
-    report({seed, error.what(), true});
-    return SeedEnd::failed;
   }
-}
+
+  const EnsembleCall& call_;
+  const Watcher& watcher_;
+  const Reporter& report_;
+  Ledger ledger_;
+  Worklist worklist_;
+  std::vector<std::string> inputs_;
+  std::size_t failed_ = 0;
+  bool said_without_locks_ = false, said_no_ledger_ = false;
+};
 
 }  // namespace
 
-SeedEnd run_one_seed(const Ensemble& ensemble, std::uint64_t seed, const Watcher& watcher,
-                     const std::function<void(const SeedReport&)>& report) {
-  make_directory(ensemble.directory);
-  return run_and_report(ensemble, inputs_hash(ensemble), seed, watcher, report);
-}
-
-std::vector<Job> jobs_of(const std::vector<Ensemble>& ensembles) {
-  std::vector<Job> jobs;
-  for (std::size_t k = 0; k < ensembles.size(); ++k)
-    for (const std::uint64_t seed : ensembles[k].scene.ensemble.seeds) jobs.push_back({k, seed});
-  std::ranges::stable_sort(jobs, std::ranges::greater{},
-                           [&](const Job& job) { return ensembles[job.ensemble].cost; });
-  return jobs;
-}
-
-EnsembleResult run_ensembles(const std::vector<Ensemble>& ensembles, Ranks& ranks, const Watcher& watcher,
-                             const std::function<void(const SeedReport&)>& report) {
-  const std::vector<Job> jobs = jobs_of(ensembles);
-  std::vector<std::string> inputs;
-  for (const Ensemble& ensemble : ensembles) {
-    make_directory(ensemble.directory);
-    inputs.push_back(inputs_hash(ensemble));
-  }
-  EnsembleResult result;
-  for (int k = ranks.next(); k < static_cast<int>(jobs.size()); k = ranks.next()) {
-    const Ensemble& ensemble = ensembles[jobs[k].ensemble];
-    const SeedEnd end = run_and_report(ensemble, inputs[jobs[k].ensemble], jobs[k].seed, watcher,
-                                       [&](SeedReport said) {
-                                         said.point = ensemble.name;
-                                         report(said);
-                                       });
-    result.failed += end == SeedEnd::failed;
-    result.stopped += end == SeedEnd::stopped;
-    if (end == SeedEnd::stopped) break;
-  }
-  return {ranks.sum(result.failed), ranks.sum(result.stopped)};
+EnsembleResult run_ensembles(const EnsembleCall& call, const Watcher& watcher, const Reporter& report) {
+  return Rank(call, watcher, report).work();
 }
 
 }  // namespace clog

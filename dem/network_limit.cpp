@@ -1,17 +1,23 @@
 #include "dem/network_limit.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include <Eigen/Cholesky>
-#include <Eigen/SparseCholesky>
+
+#include "dem/largest_eigenvalue.hpp"
 
 namespace clog {
 
 namespace {
 
-/// The same of the exact step, which costs a factorisation each time.
+/// The same of the exact step, and of the eigenvalue, which goes with the step's square.
 constexpr double exact_resolution = 1e-2;
+constexpr LanczosQuality quality{.width = 2e-2, .doubt = 1e-6};
+
+/// Steps tried at most on the way to the exact one: with dashpots alone each halves the rest of the way.
+constexpr int most_trials = 20;
 
 /// Implicit drag can hold a film at any step [s].
 constexpr double never = 1e9;
@@ -76,51 +82,60 @@ bool NetworkLimit::stable(std::size_t i, double dt) const {
   return left.llt().info() == Eigen::Success;
 }
 
-bool NetworkLimit::stable(double dt) const {
-  using Triplet = Eigen::Triplet<double>;
-  std::vector<Triplet> entries;
-  const auto subtract = [&](int i, int j, const Matrix6& block) {
-    for (int a = 0; a < 6; ++a)
-      for (int b = 0; b < 6; ++b) entries.emplace_back(6 * i + a, 6 * j + b, -block(a, b));
+double NetworkLimit::share(double dt) const {
+  const auto particles = static_cast<Eigen::Index>(implicit_.size());
+  // One block of the matrix per particle and one per pair.
+  Aligned<Matrix6> own(implicit_.size());
+  Eigen::VectorXd scale(6 * particles), scaled_x(6 * particles);
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    own[i] = (2 * dt * explicit_[i]).asDiagonal();
+    scale.segment<6>(6 * static_cast<Eigen::Index>(i)) = (4 + 2 * dt * implicit_[i].array()).rsqrt();
+  }
+  struct Between {
+    int i, j;
+    Matrix6 block;
   };
-  for (int i = 0; i < static_cast<int>(implicit_.size()); ++i)
-    for (int a = 0; a < 6; ++a)
-      entries.emplace_back(6 * i + a, 6 * i + a, 4 + 2 * dt * (implicit_[i][a] - explicit_[i][a]));
+  Aligned<Between> pairs;
   for (const auto& [i, j, modes] : links_) {
-    Matrix6 own = Matrix6::Zero(), other = own, between = own;
+    Matrix6 between = Matrix6::Zero();
     for (int k = 0; k < modes.count; ++k) {
       const ContactMode& mode = modes.mode[k];
       const double weight = dt * dt * mode.stiffness + 2 * dt * mode.dashpot;
-      const Vector6 of_i = scaled(i, mode.shift, mode.turn_i);
-      own += weight * of_i * of_i.transpose();
+      const Vector6 of_i = scaled(i, mode.shift, mode.turn_i), pull = weight * of_i;
+      own[i] += pull * of_i.transpose();
       if (j < 0) continue;
       const Vector6 of_j = scaled(j, -mode.shift, mode.turn_j);
-      other += weight * of_j * of_j.transpose();
-      between += weight * of_i * of_j.transpose();
+      own[j] += weight * of_j * of_j.transpose();
+      between += pull * of_j.transpose();
     }
-    subtract(i, i, own);
-    if (j < 0) continue;
-    subtract(j, j, other);
-    // Only the lower triangle is read.
-    if (i > j) subtract(i, j, between);
-    else subtract(j, i, between.transpose());
+    if (j >= 0) pairs.push_back({i, j, between});
   }
-  const auto size = 6 * static_cast<Eigen::Index>(implicit_.size());
-  Eigen::SparseMatrix<double> left(size, size);
-  left.setFromTriplets(entries.begin(), entries.end());
-  return Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>(left).info() == Eigen::Success;
+  return largest_eigenvalue(6 * particles, quality, [&](const Eigen::VectorXd& x, Eigen::VectorXd& y) {
+    scaled_x = scale.cwiseProduct(x);
+    for (Eigen::Index i = 0; i < particles; ++i)
+      y.segment<6>(6 * i).noalias() = own[static_cast<std::size_t>(i)] * scaled_x.segment<6>(6 * i);
+    for (const auto& [i, j, block] : pairs) {
+      y.segment<6>(6 * i).noalias() += block * scaled_x.segment<6>(6 * j);
+      y.segment<6>(6 * j).noalias() += block.transpose() * scaled_x.segment<6>(6 * i);
+    }
+    y = scale.cwiseProduct(y);
+  });
 }
 
 double NetworkLimit::exact(const Bound& bound) const {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
   if (bound.particle < 0 || !(bound.step > 0)) return bound.step;
-  double low = bound.step, high = 2 * low;
-  for (; high < never && stable(high); high *= 2) low = high;
-  if (high >= never) return std::numeric_limits<double>::infinity();
-  while (high > (1 + exact_resolution) * low) {
-    const double middle = std::sqrt(low) * std::sqrt(high);
-    (stable(middle) ? low : high) = middle;
+  const bool may_be_held = std::ranges::any_of(implicit_, [](const Vector6& rates) { return rates.maxCoeff() > 0; });
+  if (may_be_held && share(never) < 1) return infinite;
+  double step = bound.step;
+  for (int k = 0; k < most_trials; ++k) {
+    const double growth = 1 / std::sqrt(share(step));
+    if (!(growth > 1)) break;
+    step *= growth;
+    if (step > never) return infinite;
+    if (growth < 1 + exact_resolution) break;
   }
-  return low;
+  return step;
 }
 
 NetworkLimit::Bound NetworkLimit::bound() const {

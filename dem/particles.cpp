@@ -47,6 +47,13 @@ void Particles::reorder(const std::vector<int>& order) {
   gather(passed, order);
 }
 
+double half_step_energy(const Particles& p) {
+  double energy = 0;
+  for (const ParticleState& s : p.states)
+    energy += kinetic_energy(s, {s.vx, s.vy, s.vz}, {s.wx, s.wy, s.wz});
+  return energy;
+}
+
 ParticlePointers pointers(Particles& p) {
   auto* state = reinterpret_cast<double*>(p.states.data());
   return {p.states.data(), state, state + record_loads, p.size()};

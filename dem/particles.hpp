@@ -19,6 +19,11 @@ struct Particle {
   double wx = 0, wy = 0, wz = 0;  ///< [rad/s]
 };
 
+/// Of a particle that moves with v and turns with w: m v^2 / 2 + I w^2 / 2 [J]
+inline double kinetic_energy(const ParticleState& p, const Vector<double>& v, const Vector<double>& w) {
+  return 0.5 * p.mass * dot(v, v) + 0.5 * p.inertia * dot(w, w);
+}
+
 struct Particles {
   std::vector<std::int64_t> id;  ///< never used twice in a run
   std::vector<ParticleState> states;
@@ -43,6 +48,10 @@ struct Particles {
   /// Takes the particles in the given order; those not named are dropped.
   void reorder(const std::vector<int>& order);
 };
+
+/// Of the velocities as they are kept, half a step before the places. A pack that shakes from one step to the next
+/// has it, and at whole steps none [J]
+double half_step_energy(const Particles& particles);
 
 /// The states as the kernels see them; valid until particles are added or reordered.
 ParticlePointers pointers(Particles& particles);

@@ -35,7 +35,11 @@ constexpr std::int64_t watch_every = 256;
 }  // namespace
 
 Simulation::Simulation(const Scene& scene, const FlowGrid* flow, std::uint64_t seed)
-    : model_(make_model(scene, flow, read_initial_particles(scene))),
+    : Simulation(scene, flow, seed, read_initial_particles(scene)) {}
+
+Simulation::Simulation(const Scene& scene, const FlowGrid* flow, std::uint64_t seed,
+                       const std::vector<Particle>& initial)
+    : model_(make_model(scene, flow, initial)),
       fluid_(make_fluid(scene, flow)),
       kernels_(select_kernels()),
       random_(seed),
@@ -44,7 +48,7 @@ Simulation::Simulation(const Scene& scene, const FlowGrid* flow, std::uint64_t s
       pair_law_(model_.pair_law),
       wall_law_(model_.wall_laws.contact) {
   std::int64_t id = 0;
-  for (const Particle& given : read_initial_particles(scene)) {
+  for (const Particle& given : initial) {
     Particle particle = model_.particle(given.radius);
     particle.id = id++;
     particle.x = given.x, particle.y = given.y, particle.z = given.z;
@@ -246,7 +250,7 @@ void Simulation::feed_inlet(double time) {
   if (inlet_.insert(particles_, fluid_, random_, time) > 0) lists_stale_ = true;
   for (std::size_t i = before; i < particles_.size(); ++i) {
     const auto& p = particles_;
-    energy_in_ += 0.5 * p[i].mass * (p[i].vx * p[i].vx + p[i].vy * p[i].vy + p[i].vz * p[i].vz);
+    energy_in_ += clog::kinetic_energy(p[i], {p[i].vx, p[i].vy, p[i].vz}, {p[i].wx, p[i].wy, p[i].wz});
   }
   next_insertion_ = time + inlet_.interval();
 }
@@ -258,9 +262,7 @@ void Simulation::take_out() {
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (p[i].x > d.outlet) {
       leaving_[i] = 1;
-      energy_in_ -=
-          0.5 * p[i].mass * (p[i].vx * p[i].vx + p[i].vy * p[i].vy + p[i].vz * p[i].vz) +
-          0.5 * p[i].inertia * (p[i].wx * p[i].wx + p[i].wy * p[i].wy + p[i].wz * p[i].wz);
+      energy_in_ -= clog::kinetic_energy(p[i], {p[i].vx, p[i].vy, p[i].vz}, {p[i].wx, p[i].wy, p[i].wz});
       continue;
     }
     const Vec3 place(p[i].x, p[i].y, p[i].z);

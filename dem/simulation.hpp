@@ -41,6 +41,9 @@ public:
   /// \param flow  nullptr without an OpenFOAM flow; must outlive the simulation
   Simulation(const Scene& scene, const FlowGrid* flow, std::uint64_t seed);
 
+  /// The same from the given particles, whatever file the scene names; masses as the scene says.
+  Simulation(const Scene& scene, const FlowGrid* flow, std::uint64_t seed, const std::vector<Particle>& initial);
+
   /// Runs to the end. \throws Error if it blows up or loses a particle
   RunData run(const Watcher& watcher = {});
 
@@ -105,6 +108,7 @@ private:
   void announce_step();  ///< \throws Error if the step is too large
   void watch_step();     ///< now and then: the limit of the contacts, and energy from nothing
   void look_at_limit();  ///< \throws Error if the run begins above it
+  void look_for_shaking();  ///< whether the pack moves between whole steps but not at them
   void check_overlap() const;  ///< \throws Error if contacts are pressed too deep
   [[noreturn]] void blow_up(const char* cause) const;
   void add_pair(NetworkLimit& network, int i, int j) const;

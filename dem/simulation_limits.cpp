@@ -6,6 +6,7 @@
 #include "coupling/require.hpp"
 #include "dem/initial_particles.hpp"
 #include "dem/physics/lubrication.hpp"
+#include "dem/quantile.hpp"
 #include "dem/simulation.hpp"
 #include "dem/step_limit.hpp"
 
@@ -96,6 +97,7 @@ void Simulation::announce_step() {
 void Simulation::watch_step() {
   if (step_ % look_every != 0 || particles_.size() == 0) return;
   look_at_limit();
+  look_for_shaking();
   const double stored = kinetic_energy() + elastic_energy();
   if (step_watch_.appeared(stored, drag_work_ + body_work_ + energy_in_)) blow_up("energy from nothing");
 }
@@ -103,11 +105,13 @@ void Simulation::watch_step() {
 void Simulation::look_at_limit() {
   const NetworkLimit network = this->network();
   const NetworkLimit::Bound bound = network.bound();
-  // Nothing new unless the contacts have become stiffer.
-  if (bound.step > (1 - NetworkLimit::resolution) * step_watch_.smallest_bound) return;
-  step_watch_.smallest_bound = bound.step;
+  const double dt = model_.dt;
+  const bool near = dt > near_limit * bound.step;
+  const bool stiffer = bound.step < (1 - NetworkLimit::resolution) * step_watch_.smallest_bound;
+  if (!stiffer && !(near && step_ % look_at_whole_every == 0)) return;
+  if (stiffer) step_watch_.smallest_bound = bound.step;
   // The bound is safe; whether a step near it is, the whole network says.
-  const double dt = model_.dt, limit = dt > near_limit * bound.step ? network.exact(bound) : bound.step;
+  const double limit = near ? network.exact(bound) : bound.step;
   step_watch_.smallest_limit = std::min(step_watch_.smallest_limit, limit);
   if (dt <= near_limit * limit) return;
   const auto& p = particles_;
@@ -125,13 +129,33 @@ void Simulation::look_at_limit() {
   if (say_) say_(fmt::format("{}: clogs may shake; {}", what, remedy));
 }
 
-double Simulation::kinetic_energy() const {
+void Simulation::look_for_shaking() {
+  const double rest = watch_.rest_speed();
+  if (!(rest > 0) || filling_.stage == Filling::Stage::tap || watch_.friction_off()) return;
+  // A shaking pack goes and turns to and fro in two steps: its velocities at whole steps are those of rest.
   const auto& p = particles_;
-  double energy = 0;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const Vector<double> v = velocity_now(static_cast<int>(i)), w = spin_now(static_cast<int>(i));
-    energy += 0.5 * p[i].mass * dot(v, v) + 0.5 * p[i].inertia * dot(w, w);
+  const auto speed = [](const Vector<double>& v, const Vector<double>& w, double radius) {
+    return std::max(std::sqrt(dot(v, v)), radius * std::sqrt(dot(w, w)));
+  };
+  std::vector<double> between, at;
+  for (const int i : near_neck(p, model_.scene)) {
+    between.push_back(speed({p[i].vx, p[i].vy, p[i].vz}, {p[i].wx, p[i].wy, p[i].wz}, p[i].radius));
+    at.push_back(speed(velocity_now(i), spin_now(i), p[i].radius));
   }
+  const double shaking = quantile(between, slow_share);
+  if (!(shaking > std::max(rest, step_watch_.shaking)) || quantile(at, slow_share) > rest) return;
+  if (say_ && step_watch_.shaking == 0)
+    say_(fmt::format(
+        "the pack shakes: near the neck particles go or turn to and fro at {:.3g} m/s from one step to the next, where "
+        "below {:.3g} m/s would be rest; lower time.step_fraction or raise time.rotational_inertia_scale",
+        shaking, rest));
+  step_watch_.shaking = shaking;
+}
+
+double Simulation::kinetic_energy() const {
+  double energy = 0;
+  for (int i = 0; i < static_cast<int>(particles_.size()); ++i)
+    energy += clog::kinetic_energy(particles_[i], velocity_now(i), spin_now(i));
   return energy;
 }
 

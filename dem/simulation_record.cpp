@@ -83,14 +83,11 @@ double Simulation::elastic_energy() const {
 
 void Simulation::sample_series() {
   const auto& p = particles_;
-  double kinetic = 0;
+  // The way of the last step over its duration: a pack that shakes does so between whole steps.
   std::vector<double> speeds(p.size());
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const Vector<double> v = velocity_now(static_cast<int>(i)), w = spin_now(static_cast<int>(i));
-    kinetic += 0.5 * p[i].mass * dot(v, v) + 0.5 * p[i].inertia * dot(w, w);
-    speeds[i] = std::sqrt(dot(v, v));
-  }
-  const double elastic = elastic_energy();
+  for (std::size_t i = 0; i < p.size(); ++i)
+    speeds[i] = std::sqrt(p[i].vx * p[i].vx + p[i].vy * p[i].vy + p[i].vz * p[i].vz);
+  const double kinetic = kinetic_energy(), elastic = elastic_energy();
   if (data_.series.time.empty()) energy_in_ = kinetic + elastic;
   auto& series = data_.series;
   series.time.push_back(time());
@@ -148,6 +145,7 @@ void Simulation::finish() {
   p["time_step_s"] = model_.dt;
   p["contact_time_s"] = model_.contact_time;
   if (std::isfinite(step_watch_.smallest_limit)) p["contact_limit_s"] = step_watch_.smallest_limit;
+  p["shaking_speed_m_s"] = step_watch_.shaking;
   p["fill_time_s"] = filling_.duration;
   p["fill_at_rest"] = filling_.at_rest;
   p["inserted"] = inlet_.inserted();

@@ -6,13 +6,18 @@
 
 namespace clog {
 
-/// Steps between two looks: a look costs about as much as ten steps.
+/// Steps between two looks: a look costs about as much as thirty steps.
 inline constexpr std::int64_t look_every = 4096;
+
+/// Steps between two looks at the whole network where the step is near its bound and the contacts have not become
+/// stiffer: they may have moved together. It costs about as much as five hundred steps.
+inline constexpr std::int64_t look_at_whole_every = 16 * look_every;
 
 struct StepWatch {
   double smallest_bound = std::numeric_limits<double>::infinity();  ///< NetworkLimit::bound() [s]
   double smallest_limit = std::numeric_limits<double>::infinity();  ///< exact() where the bound was near [s]
   bool warned = false;
+  double shaking = 0;   ///< largest speed of a pack that rests at whole steps but not between them [m/s]
   double stored = -1;   ///< kinetic and elastic energy at the last look; -1: none yet [J]
   double supplied = 0;  ///< work done until then [J]
 
@@ -29,7 +34,7 @@ struct StepWatch {
 
   template <class Archive>
   void exchange(Archive& archive) {
-    archive(smallest_bound, smallest_limit, warned, stored, supplied);
+    archive(smallest_bound, smallest_limit, warned, shaking, stored, supplied);
   }
 };
 

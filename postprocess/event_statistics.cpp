@@ -6,10 +6,17 @@
 #include <cmath>
 
 #include "postprocess/fit_json.hpp"
+#include "postprocess/geometric_law.hpp"
 
 namespace clog::postprocess {
 
 using nlohmann::json;
+
+namespace {
+
+constexpr std::size_t geometric_replicates = 1000;  // p to 0.016 at most
+
+}  // namespace
 
 std::vector<std::size_t> counted_burst_sizes(const RunGroup& group) {
   std::vector<std::size_t> sizes;
@@ -34,7 +41,7 @@ std::vector<double> whole_lapses(const RunGroup& group) {
   return durations;
 }
 
-json burst_shape(const RunGroup& group) {
+json burst_shape(const RunGroup& group, const StatisticsRequest& request) {
   std::size_t first = 0, cut_off = 0;
   for (const SeedRecord& record : group.records) {
     for (const Burst& burst : record.bursts) {
@@ -59,6 +66,9 @@ json burst_shape(const RunGroup& group) {
   shape["standard_deviation_geometric"] = std::sqrt(mean * (mean - 1.0));
   shape["share_up_to_3"] = small;
   shape["share_up_to_3_geometric"] = 1.0 - std::pow(1.0 - 1.0 / mean, 3);
+  const GeometricTest test =
+      test_geometric(sizes, geometric_replicates, request.resampling.seed);
+  shape["geometric"] = {{"ks", test.ks}, {"p_value", test.p_value}};
   return shape;
 }
 

@@ -24,8 +24,8 @@ std::vector<std::size_t> counted_burst_sizes(const RunGroup& group);
 /// Lapses that a passage ended [s].
 std::vector<double> whole_lapses(const RunGroup& group);
 
-/// Spread and share of small bursts, beside those of a geometric law.
-nlohmann::json burst_shape(const RunGroup& group);
+/// Spread and share of small bursts, beside those of a geometric law; whether they have that law.
+nlohmann::json burst_shape(const RunGroup& group, const StatisticsRequest& request);
 
 /// How many lapses and arrests a passage, a release or the end of the run ended; the longest.
 nlohmann::json lapse_counts(const RunGroup& group);

@@ -133,6 +133,7 @@ json group_statistics(const RunGroup& group, const StatisticsRequest& request) {
                     {"start", record.window.start},
                     {"end", record.window.end},
                     {"filling_time", record.filling_time},
+                    {"wall_time", number_or_null(record.wall_time)},
                     {"passages", record.passages},
                     {"while_off", record.while_off},
                     {"releases", record.releases}});
@@ -146,7 +147,7 @@ json group_statistics(const RunGroup& group, const StatisticsRequest& request) {
       {"t_min", group.scale.threshold},
       {"runs", runs},
       {"quantities", quantities_with_halves(group, request)},
-      {"bursts", burst_shape(group)},
+      {"bursts", burst_shape(group, request)},
       {"power_law", power_laws(group, request)},
       {"steady", steady_state(group, request)},
       {"provenance", group.provenance},

@@ -23,15 +23,6 @@ std::vector<fs::path> run_files_right_in(const fs::path& folder) {
   return files;
 }
 
-ClogScale clog_scale(const Scene& scene, std::optional<double> threshold, const fs::path& file) {
-  const double tau = scene.stokes_time();
-  require(tau > 0 || threshold,
-          "{}: its scene has no flow, hence no Stokes time d/v to define a clog: give --threshold",
-          file.string());
-  const double t_min = threshold.value_or(0.5 * tau);
-  return {tau > 0 ? tau : 2.0 * t_min, t_min};
-}
-
 /// What the first run file of a folder showed.
 struct Known {
   SceneLines lines;
@@ -87,7 +78,7 @@ private:
     group.scene = parse_scene(run.scene_text, file.string());
     group.scene_text = run.scene_text;
     group.lines = lines;
-    group.scale = clog_scale(group.scene, threshold_, file);
+    group.scale = clog_scale(group.scene, threshold_, file.string());
     group.provenance = run.provenance;
     return group;
   }
@@ -115,6 +106,18 @@ std::vector<fs::path> find_run_files(const fs::path& folder) {
   return files;
 }
 
+std::vector<std::string> points_without_runs(const fs::path& folder) {
+  std::vector<std::string> points;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (entry.is_directory() && name.find('=') != std::string::npos &&
+        run_files_right_in(entry.path()).empty())
+      points.push_back(name);
+  }
+  std::sort(points.begin(), points.end());
+  return points;
+}
+
 std::vector<RunGroup> gather(const std::vector<fs::path>& folders,
                              std::optional<double> threshold) {
   Gatherer gatherer(threshold);
@@ -129,7 +132,7 @@ std::vector<RunGroup> gather(const std::vector<fs::path>& folders,
     std::sort(group.records.begin(), group.records.end(),
               [](const SeedRecord& a, const SeedRecord& b) { return a.seed < b.seed; });
   }
-  std::sort(groups.begin(), groups.end(), [](const RunGroup& a, const RunGroup& b) {
+  std::stable_sort(groups.begin(), groups.end(), [](const RunGroup& a, const RunGroup& b) {
     return a.scene.particles.diameter > b.scene.particles.diameter;
   });
   return groups;

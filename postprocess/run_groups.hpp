@@ -26,6 +26,9 @@ struct RunGroup {
 /// \throws Error when there is none
 std::vector<std::filesystem::path> find_run_files(const std::filesystem::path& folder);
 
+/// Points of a sweep ("key=value") right below a folder that hold no run file yet, in order of name.
+std::vector<std::string> points_without_runs(const std::filesystem::path& folder);
+
 /// Reads all runs. A folder holds one scene; several folders with different scenes are a sweep, and
 /// runs of one scene in several folders are one group. \param threshold T_min [s]; absent: tau/2
 /// \throws Error on a run file that is missing or damaged, two scenes in one folder, one seed

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "coupling/require.hpp"
+
 namespace clog::postprocess {
 namespace {
 
@@ -33,6 +35,14 @@ SteadyState steady_state(const RunData& run, const Window& window) {
 }
 
 }  // namespace
+
+ClogScale clog_scale(const Scene& scene, std::optional<double> threshold, const std::string& where) {
+  const double tau = scene.stokes_time();
+  require(tau > 0 || threshold,
+          "{}: its scene has no flow, hence no Stokes time d/v to define a clog: give --threshold", where);
+  const double t_min = threshold.value_or(0.5 * tau);
+  return {tau > 0 ? tau : 2.0 * t_min, t_min};
+}
 
 double end_of_filling(const RunData& run, const Scene& scene) {
   const auto& time = run.series.time;
@@ -66,6 +76,8 @@ SeedRecord record_of(const RunData& run, const Scene& scene, const ClogScale& sc
                       : bursts_between_clogs(run, record.window, scale.threshold);
   record.steady = steady_state(run, record.window);
   record.filling_time = record.window.start;
+  if (run.provenance.contains("wall_time_s"))
+    record.wall_time = run.provenance.at("wall_time_s").get<double>();
   if (record.filling_time == 0 && run.provenance.contains("fill_time")) {
     record.filling_time = run.provenance.at("fill_time").get<double>();
   }

@@ -3,6 +3,9 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "coupling/run_file.hpp"
@@ -17,6 +20,9 @@ struct ClogScale {
   double tau = 0;        ///< Stokes time d/v of the scene [s]
   double threshold = 0;  ///< T_min: a longer lapse is a clog [s]
 };
+
+/// \param threshold T_min [s]; absent: tau/2 \throws Error for a scene without a flow if it is absent too
+ClogScale clog_scale(const Scene& scene, std::optional<double> threshold, const std::string& where);
 
 /// Means over the second half of the window: the packed state.
 struct SteadyState {
@@ -39,6 +45,7 @@ struct SeedRecord {
   SteadyState steady;
   double filling_time =
       0;  ///< measured (start = "empty") or as the solver says (start = "filled") [s]
+  double wall_time = std::numeric_limits<double>::quiet_NaN();  ///< if the solver says so [s]
 };
 
 SeedRecord record_of(const RunData& run, const Scene& scene, const ClogScale& scale);

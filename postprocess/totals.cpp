@@ -32,7 +32,11 @@ void add_bursts(Totals& totals, const SeedRecord& record, const Window& span) {
       continue;
     }
     if (by_release) {
-      if (burst.kind == BurstKind::first) continue;
+      if (burst.kind == BurstKind::first) {
+        totals.first_bursts += burst.size > 0 ? 1 : 0;
+        totals.first_escaped += static_cast<double>(burst.size);
+        continue;
+      }
       ++totals.releases;
       totals.failed += burst.size == 0 ? 1 : 0;
       totals.while_off += static_cast<double>(burst.while_off);
@@ -53,8 +57,9 @@ bool is_permanently_clogged(const SeedRecord& record, const ClogScale& scale) {
 constexpr double Totals::*members[] = {
     &Totals::seeds,           &Totals::time,         &Totals::passages,     &Totals::flowing_lapses,
     &Totals::flowing_time,    &Totals::clogged_time, &Totals::bursts,       &Totals::escaped,
-    &Totals::cut_off_escaped, &Totals::releases,     &Totals::failed,       &Totals::while_off,
-    &Totals::arrests,         &Totals::censored,     &Totals::log_exposure, &Totals::permanent};
+    &Totals::cut_off_escaped, &Totals::first_bursts, &Totals::first_escaped, &Totals::releases,
+    &Totals::failed,          &Totals::while_off,    &Totals::arrests,       &Totals::censored,
+    &Totals::log_exposure,    &Totals::permanent};
 static_assert(sizeof(members) / sizeof(*members) * sizeof(double) == sizeof(Totals));
 
 }  // namespace
@@ -75,6 +80,20 @@ Totals operator+(const Totals& a, const Totals& b) {
   return sum;
 }
 
+double all_stops(const Totals& t) { return t.bursts + t.first_bursts; }
+
+double all_escaped(const Totals& t) { return t.escaped + t.cut_off_escaped + t.first_escaped; }
+
+Totals totals_of(const std::vector<SeedRecord>& records, const ClogScale& scale) {
+  Totals sum;
+  for (const SeedRecord& record : records) {
+    // The last passage may fall on the end itself.
+    const double end = std::nextafter(record.window.end, 2.0 * record.window.end);
+    sum = sum + totals_of(record, scale, {record.window.start, end});
+  }
+  return sum;
+}
+
 const std::vector<Quantity>& quantities() {
   static const std::vector<Quantity> all{
       {"mean_burst", "1", "<s>: passages per burst, over bursts of one or more",
@@ -84,6 +103,11 @@ const std::vector<Quantity>& quantities() {
       {"mean_burst_censored", "1",
        "<s> by maximum likelihood, bursts that the end cut off included",
        [](const Totals& t) { return (t.escaped + t.cut_off_escaped) / t.bursts; }},
+      {"mean_burst_memoryless", "1",
+       "<s> by maximum likelihood, first bursts and those that the end cut off included",
+       [](const Totals& t) { return all_escaped(t) / all_stops(t); }},
+      {"mean_burst_by_threshold", "1", "passages per lapse of T_min and more, whatever ended it",
+       [](const Totals& t) { return t.passages / t.arrests; }},
       {"share_failed", "1", "share of the releases that no passage follows",
        [](const Totals& t) { return t.failed / t.releases; }},
       {"passages_while_off", "1", "passages per release while friction was off (not part of s)",

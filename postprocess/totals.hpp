@@ -22,6 +22,8 @@ struct Totals {
   double bursts = 0;        ///< counted ones with s >= 1
   double escaped = 0;       ///< sum of their s
   double cut_off_escaped = 0;  ///< sum of s over bursts that the end of the run cut off
+  double first_bursts = 0;     ///< with releases: first ones of a run with s >= 1 that a clog ended
+  double first_escaped = 0;    ///< sum of their s
   double releases = 0;         ///< whose burst is whole
   double failed = 0;           ///< of them, those followed by no passage
   double while_off = 0;        ///< passages while they held friction off
@@ -37,6 +39,15 @@ inline constexpr double permanent_after = 5.0;
 
 /// \param span part of the record's window [s]
 Totals totals_of(const SeedRecord& record, const ClogScale& scale, const Window& span);
+
+/// Of whole runs. \param records of one ensemble
+Totals totals_of(const std::vector<SeedRecord>& records, const ClogScale& scale);
+
+/// Bursts with s >= 1 that a clog ended, the first of a run included.
+double all_stops(const Totals& totals);
+
+/// Passages of these and of the bursts that the end of the run cut off.
+double all_escaped(const Totals& totals);
 
 Totals operator+(const Totals& a, const Totals& b);
 

@@ -90,16 +90,13 @@ FlowGrid coarsened(const FlowGrid& fine, int factor) {
 }
 
 /// Settings that only a short run can afford.
-std::vector<Setting> more_settings(const Scene& base) {
+std::vector<Setting> more_settings() {
   std::vector<Setting> more;
   const auto add = [&](const std::string& name, const Overrides& overrides) {
     more.push_back({name, "", "", Kind::numerics, overrides});
   };
   for (const double fraction : {0.01, 0.005, 0.002})
     add(fmt::format("tau{:.0f}", 1 / fraction), {fmt::format("time.step_fraction={}", fraction)});
-  for (const double factor : {10, 100, 1000})
-    add(fmt::format("E x {}", factor),
-        {fmt::format("contact.youngs_modulus={} Pa", factor * base.contact.youngs_modulus)});
   return more;
 }
 
@@ -110,7 +107,7 @@ std::vector<ShortRun> short_runs(const Study& study) {
   std::vector<Setting> settings = settings_for(base);
   const fs::path pack = study.directory / "pack.csv";
   write_pack(a_run(study, settings).snapshots.front(), pack);
-  for (const Setting& setting : more_settings(base)) settings.push_back(setting);
+  for (const Setting& setting : more_settings()) settings.push_back(setting);
   const auto scene_for = [&](const Setting& setting) {
     Study own = study;
     own.overrides.insert(own.overrides.end(),

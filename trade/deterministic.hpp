@@ -19,8 +19,8 @@ struct ShortRun {
   double particle_steps = 0;
 };
 
-/// All settings, steps down to a tenth of the reference's, moduli up to 3 GPa, and coarser grids, against
-/// a step of a fifth of the reference's. Empty unless the reference has a run. \throws Error
+/// All settings, steps down to a tenth of the scene's own at tau/50, and coarser grids, against a step of
+/// tau/250. \throws Error if the study has no run to start from
 std::vector<ShortRun> short_runs(const Study& study);
 
 }  // namespace clog::trade

@@ -20,9 +20,9 @@ struct Setting {
   Overrides overrides;    ///< of the scene
 };
 
-/// The matrix of the study, the reference first, each after the one that it is compared with. The
-/// reference is the scene as it stands; most knobs are turned on `cheap`, which a chain of
-/// refinements ties to the reference.
+/// The matrix of the study, the dearest first, each after the one that it is compared with. The first
+/// is E = 3 GPa at tau/50 with the true mass; most knobs are turned on `cheap`, which a chain of
+/// refinements ties to it: gpa3, mpa30, tau50, mass10, cheap.
 std::vector<Setting> settings_for(const Scene& scene);
 
 }  // namespace clog::trade

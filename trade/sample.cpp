@@ -1,9 +1,11 @@
 #include "trade/sample.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 
 #include "coupling/run_file.hpp"
 #include "postprocess/run_groups.hpp"
@@ -113,27 +115,31 @@ const std::vector<Observable>& observables() {
 }
 
 Difference compare(const Observable& observable, const Sample& reference, const Sample& sample) {
-  std::map<std::pair<std::uint64_t, int>, const Piece*> known;
-  for (const Piece& piece : reference.pieces) known[{piece.seed, piece.number}] = &piece;
-  Pieces a, b;
-  for (const Piece& piece : sample.pieces)
-    if (const auto found = known.find({piece.seed, piece.number}); found != known.end()) {
-      a.push_back(found->second);
-      b.push_back(&piece);
-    }
+  std::map<std::pair<std::uint64_t, int>, std::array<const Piece*, 2>> units;
+  for (const Piece& piece : reference.pieces) units[{piece.seed, piece.number}][0] = &piece;
+  for (const Piece& piece : sample.pieces) units[{piece.seed, piece.number}][1] = &piece;
+  std::vector<std::array<const Piece*, 2>> pairs;
+  for (const auto& [place, unit] : units) pairs.push_back(unit);
+  const auto side = [&](const std::vector<std::size_t>& drawn, int which) {
+    Pieces pieces;
+    for (const std::size_t k : drawn)
+      if (pairs[k][which]) pieces.push_back(pairs[k][which]);
+    return pieces;
+  };
   const auto difference = [&](const std::vector<std::size_t>& drawn) {
-    Pieces of_a, of_b;
-    for (const std::size_t k : drawn) of_a.push_back(a[k]), of_b.push_back(b[k]);
-    const double before = observable.value(of_a), after = observable.value(of_b);
+    const double before = observable.value(side(drawn, 0)), after = observable.value(side(drawn, 1));
     return observable.is_share ? after - before : (after - before) / before;
   };
-  if (a.empty()) return {undefined, undefined, undefined, undefined, undefined};
+  if (reference.pieces.empty() || sample.pieces.empty())
+    return {undefined, undefined, undefined, undefined, undefined};
   // Shared among the observables (Bonferroni): a setting that changes nothing is called different once in
   // twenty times, whichever observable says so.
   const double level = 1 - 0.05 / static_cast<double>(observables().size());
   const postprocess::Estimate e =
-      postprocess::bootstrap_over_seeds(a.size(), difference, {.level = level});
-  return {observable.value(a), observable.value(b), e.low, e.high, e.value};
+      postprocess::bootstrap_over_seeds(pairs.size(), difference, {.level = level});
+  std::vector<std::size_t> all(pairs.size());
+  std::iota(all.begin(), all.end(), 0);
+  return {observable.value(side(all, 0)), observable.value(side(all, 1)), e.low, e.high, e.value};
 }
 
 }  // namespace clog::trade

@@ -44,7 +44,8 @@ struct Observable {
 /// Everything that the study compares.
 const std::vector<Observable>& observables();
 
-/// A sample compared with a reference, over the pieces that both have: same seed, same part of the run.
+/// A sample compared with a reference, both whole. The bootstrap draws a piece of one together with its
+/// counterpart in the other (same seed, same part of the run), where there is one.
 struct Difference {
   double reference = 0, value = 0;
   double low = 0, high = 0;       ///< of the difference, 95 % over all observables together; NaN where it cannot be given

@@ -125,7 +125,7 @@ double walk(Simulation& simulation, int steps, bool relax) {
   for (int k = 0; k < steps; ++k) {
     simulation.compute_forces();
     if (k % look == 0) {
-      const double kinetic = simulation.kinetic_energy(), share = kinetic / simulation.elastic_energy();
+      const double kinetic = half_step_energy(simulation.particles()), share = kinetic / simulation.elastic_energy();
       largest = share <= largest ? largest : std::isfinite(share) ? share : std::numeric_limits<double>::infinity();
       if (relax && kinetic < before) halt(simulation.particles());
       before = kinetic < before ? 0 : kinetic;
@@ -240,7 +240,7 @@ Trial run_trial(const Column& column, double step, double duration) {
     for (int k = 0; k < steps; ++k) {
       simulation.compute_forces();
       if (k % 20 == 0) trial.limit = limit_now(simulation, trial.limit);
-      if (2 * k >= steps && k % 10 == 0) trial.kinetic += simulation.kinetic_energy(), ++counted;
+      if (2 * k >= steps && k % 10 == 0) trial.kinetic += half_step_energy(simulation.particles()), ++counted;
       simulation.advance();
     }
     simulation.compute_forces();

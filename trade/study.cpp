@@ -1,5 +1,6 @@
 #include "trade/study.hpp"
 
+#include <algorithm>
 #include <chrono>
 
 #include "coupling/publish_file.hpp"
@@ -19,6 +20,16 @@ fs::path refusal_file(const fs::path& folder, std::uint64_t seed) {
 void put_down(const std::string& reason, const fs::path& file) {
   fs::create_directories(file.parent_path());
   publish_file(reason + "\n", file);
+}
+
+std::vector<Setting> settings_to_run(const Study& study, const Scene& base) {
+  std::vector<Setting> all = settings_for(base), chosen;
+  for (const std::string& name : study.only) {
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Setting& s) { return s.name == name; });
+    require(found != all.end(), "--settings {} (no such setting): see the table of clog trade", name);
+    chosen.push_back(*found);
+  }
+  return study.only.empty() ? all : chosen;
 }
 
 }  // namespace
@@ -46,7 +57,7 @@ void run_study(const Study& study, Ranks& ranks, const std::function<void(const 
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::duration<double>(study.budget);
   const Scene base = read_scene(study.scene_file, study.overrides);
-  const std::vector<Setting> settings = settings_for(base);
+  const std::vector<Setting> settings = settings_to_run(study, base);
   const auto& seeds = base.ensemble.seeds;
   std::atomic<bool> stop = false;
   const auto look = [&](const Progress&) {

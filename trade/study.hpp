@@ -5,9 +5,11 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "coupling/flow_grid.hpp"
-#include "dem/ensemble.hpp"
+#include "dem/ranks.hpp"
+#include "dem/seed_run.hpp"
 #include "trade/knobs.hpp"
 
 namespace clog::trade {
@@ -19,6 +21,7 @@ struct Study {
   std::filesystem::path directory;
   double budget = 0;                    ///< of wall-clock time [s]
   const std::atomic<bool>* stop = nullptr;
+  std::vector<std::string> only = {};   ///< names of the settings to run; empty: all
 };
 
 /// Scene of one setting. \throws Error
@@ -29,7 +32,7 @@ std::filesystem::path folder_of(const Study& study, const Setting& setting);
 
 /// Runs what is missing: seed by seed, so that whenever the budget ends the settings have equal seeds.
 /// Finished runs are kept, interrupted ones go on; a setting that the program refuses leaves the
-/// reason in its folder and is not tried again.
+/// reason in its folder and is not tried again. \throws Error if `only` names an unknown setting
 void run_study(const Study& study, Ranks& ranks, const std::function<void(const std::string&)>& say);
 
 /// Why a setting was refused, or an empty text.

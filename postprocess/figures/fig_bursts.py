@@ -3,8 +3,9 @@
 import matplotlib.pyplot as plt
 import numpy as np
 
+import fig_trend
 import style
-from stats_files import neck_ratio, value
+from stats_files import value
 
 
 def draw_distribution(axes, statistics):
@@ -31,34 +32,22 @@ def draw_distribution(axes, statistics):
     axes.plot(x, np.exp(-x), color=style.GREY, ls="--", zorder=1, label=r"exponential $e^{-s/\langle s\rangle}$")
     axes.set_yscale("log")
     axes.set_xlim(0, largest)
-    # Room for the legend above the data: a line needs about a third of a decade.
-    axes.set_ylim(max(smallest, 1e-5), top * 10 ** (0.5 + 0.3 * len(statistics.groups)))
+    axes.set_ylim(max(smallest, 1e-5), 2 * top)
     if empty:
         style.say(axes, "no burst that began and ended\nwithin the runs")
     axes.set_xlabel(r"burst size $s/\langle s\rangle$ [1]")
     axes.set_ylabel(r"probability density $P(s/\langle s\rangle)$ [1]")
-    style.legend(axes, loc="upper right")
-
-
-def draw_means(axes, statistics):
-    """<s> against (D/d)^3, the inset of the paper's figure."""
-    for colour, group in zip(style.group_colours(len(statistics.groups)), statistics.groups):
-        mean, low, high = value(group, "mean_burst")
-        if not np.isfinite(mean):
-            continue
-        x = neck_ratio(group) ** 3
-        if np.isfinite(low):
-            axes.plot([x, x], [low, high], color=colour, lw=1)
-        axes.plot(x, mean, "o", color=colour, ms=5)
-    axes.set_yscale("log")
-    axes.set_xlabel(r"$(D/d)^3$ [1]")
-    axes.set_ylabel(r"mean burst size $\langle s\rangle$ [1]")
+    if len(statistics.groups) > style.MOST_GROUPS_INSIDE:
+        style.legend_beside(axes)
+    else:
+        style.room_for_legend(axes)
+        style.legend(axes, loc="upper right")
 
 
 def make(statistics, folder):
-    sweep = len({neck_ratio(group) for group in statistics.groups}) > 1
+    sweep = fig_trend.exists(statistics)
     figure, panels = plt.subplots(1, 2 if sweep else 1, figsize=(style.PAGE if sweep else 4.6, 3.3), squeeze=False)
     draw_distribution(panels[0, 0], statistics)
     if sweep:
-        draw_means(panels[0, 1], statistics)
+        fig_trend.draw_mean_burst(panels[0, 1], statistics)
     return style.save(figure, folder, "bursts")

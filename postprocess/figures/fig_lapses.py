@@ -3,11 +3,16 @@
 import matplotlib.pyplot as plt
 import numpy as np
 
+import fig_trend
 import style
-from stats_files import neck_ratio, value
 
 FEWEST_STEPS = 3       # arrests that must have ended by themselves for a survival function to mean anything
 SHORTEST_SHOWN = 1e-3  # T/tau; below it two particles cross the plane side by side
+
+
+def is_crowded(statistics):
+    """Whether one legend beside the panels explains the colours of all."""
+    return len(statistics.groups) > style.MOST_GROUPS_INSIDE
 
 
 def draw_density(axes, statistics):
@@ -22,7 +27,8 @@ def draw_density(axes, statistics):
         p = np.array([row["P [1]"] for row in rows])
         error = np.array([row["error [1]"] for row in rows])
         axes.errorbar(x, p, yerr=[np.minimum(error, 0.5 * p), error], fmt=style.MARKERS[index % len(style.MARKERS)], ms=3.6, lw=0.7,
-                      color=colours[index], mec="white", mew=0.3, label=group["label"])
+                      color=colours[index], mec="white", mew=0.3,
+                      label=survival_label(group) if is_crowded(statistics) else group["label"])
         draw_fits(axes, group, colours[index], x.max(), single)
         shown += [v for t, v in zip(x, p) if t >= SHORTEST_SHOWN]
     axes.set_xscale("log")
@@ -37,7 +43,10 @@ def draw_density(axes, statistics):
         axes.set_ylim(1e-4, 10)
     axes.set_xlabel(r"lapse $T/\tau$ [1]")
     axes.set_ylabel(r"probability density $P(T/\tau)$ [1]")
-    style.legend(axes, loc="lower left")
+    if is_crowded(statistics):
+        style.legend_beside(axes)
+    else:
+        style.legend(axes, loc="lower left")
 
 
 def draw_fits(axes, group, colour, largest, single):
@@ -46,7 +55,7 @@ def draw_fits(axes, group, colour, largest, single):
     names = {"free": r"$T_{\min}$ found", "fixed": r"$T_{\min}=\tau/2$"}
     for key, (line, fit_colour) in styles.items():
         fit = group["power_law"][key]
-        if "refused" in fit or (not single and key == "free"):
+        if "refused" in fit or (not single and (key == "free" or group["protocol"] == "release")):
             continue
         xmin, alpha = fit["xmin_over_tau"], fit["alpha"]
         x = np.geomspace(xmin, max(largest * 1.2, 2 * xmin), 50)
@@ -87,7 +96,8 @@ def draw_survival(axes, statistics):
         axes.set_ylim(0.01, 4)
     axes.set_xlabel(r"arrest $T/\tau$ [1]")
     axes.set_ylabel(r"survival of arrests $S(T/\tau)$ [1]")
-    style.legend(axes, loc="upper right")
+    if not is_crowded(statistics):
+        style.legend(axes, loc="upper right")
 
 
 def counts(group):
@@ -120,29 +130,15 @@ def draw_laws(axes, group, x, single):
               label=f"exponential (likelihood ratio: {fit['exponential']['favoured']})")
 
 
-def draw_exponents(axes, statistics):
-    """alpha against D/d, with the interval over seeds; 2 separates lasting from temporary clogs."""
-    for colour, group in zip(style.group_colours(len(statistics.groups)), statistics.groups):
-        alpha, low, high = value(group, "alpha_fixed")
-        if not np.isfinite(alpha):
-            continue
-        if np.isfinite(low):
-            axes.plot([neck_ratio(group)] * 2, [low, high], color=colour, lw=1)
-        axes.plot(neck_ratio(group), alpha, "o", color=colour, ms=5)
-    axes.axhline(2, color=style.GREY, lw=0.8, ls=":")
-    axes.set_xlabel("neck-to-particle ratio $D/d$ [1]")
-    axes.set_ylabel(r"exponent $\alpha$ ($T_{\min}=\tau/2$) [1]")
-
-
 def make(statistics, folder):
-    sweep = len({neck_ratio(group) for group in statistics.groups}) > 1
+    sweep = fig_trend.exists(statistics)
     count = 3 if sweep else 2
     figure, panels = plt.subplots(1, count, figsize=(3.5 * count, 3.4))
     figure.get_layout_engine().set(wspace=0.06)
     draw_density(panels[0], statistics)
     draw_survival(panels[1], statistics)
     if sweep:
-        draw_exponents(panels[2], statistics)
+        fig_trend.draw_alpha(panels[2], statistics)
     for letter, axes in zip("abc", panels):
         axes.set_title(letter)
     return style.save(figure, folder, "lapses")

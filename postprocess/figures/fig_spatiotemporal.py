@@ -52,6 +52,34 @@ def draw_group(axes, group, title):
     return released
 
 
+def key(axes, released):
+    """What black, grey and red mean, above the axes."""
+    handles = [plt.Rectangle((0, 0), 1, 1, color="black"), plt.Rectangle((0, 0), 1, 1, color=style.CLOGGED)]
+    names = [r"particles pass (bar of width $\tau$)", "no passage"]
+    if released:
+        handles.append(plt.Line2D([], [], ls="none", marker="|", ms=6, mew=1, color=style.RELEASE))
+        names.append("release (friction off)")
+    axes.legend(handles, names, loc="lower right", bbox_to_anchor=(1.0, 1.0), borderaxespad=0.3, ncols=3)
+
+
+def make_sweep(statistics, folder):
+    """The first seed of every ensemble, over the median of their lengths: small particles have longer runs in tau."""
+    groups = statistics.groups
+    figure, axes = plt.subplots(figsize=(style.PAGE, 0.24 * len(groups) + 0.75))
+    released = False
+    for row, group in enumerate(groups):
+        run = run_file.read_events(group["runs"][0]["file"])
+        released |= len(run.release_times) > 0
+        draw_row(axes, run, row, group["tau"], group["runs"][0]["end"] / group["tau"])
+    axes.set_xlim(0, np.median([group["runs"][0]["end"] / group["tau"] for group in groups]))
+    axes.set_ylim(len(groups) - 0.4, -0.6)
+    axes.set_yticks(range(len(groups)), [group["label"] for group in groups])
+    axes.tick_params(axis="y", length=0)
+    axes.set_xlabel(r"time $t/\tau$ [1]")
+    key(axes, released)
+    return style.save(figure, folder, "spatiotemporal_sweep")
+
+
 def make(statistics, folder):
     groups = statistics.groups
     rows = [min(len(group["runs"]), MOST_ROWS) for group in groups]
@@ -62,10 +90,6 @@ def make(statistics, folder):
     for axes, group in zip(panels[:, 0], groups):
         released |= draw_group(axes, group, group["label"])
     panels[-1, 0].set_xlabel(r"time $t/\tau$ [1]")
-    handles = [plt.Rectangle((0, 0), 1, 1, color="black"), plt.Rectangle((0, 0), 1, 1, color=style.CLOGGED)]
-    names = [r"particles pass (bar of width $\tau$)", "no passage"]
-    if released:
-        handles.append(plt.Line2D([], [], ls="none", marker="|", ms=6, mew=1, color=style.RELEASE))
-        names.append("release (friction off)")
-    panels[0, 0].legend(handles, names, loc="lower right", bbox_to_anchor=(1.0, 1.0), borderaxespad=0.3, ncols=3)
-    return style.save(figure, folder, "spatiotemporal")
+    key(panels[0, 0], released)
+    paths = make_sweep(statistics, folder) if len(groups) > 1 else []
+    return paths + style.save(figure, folder, "spatiotemporal")

@@ -10,10 +10,15 @@ CAPTIONS = {
     "snapshots": "A burst: the arch before it, the burst, and the arch that ends it. Circles are particles seen along z, "
                  "those in front on top, coloured by speed.",
     "spatiotemporal": "Passages through the neck, one row a seed. Each passage is a black bar of width τ = d/v; grey: nothing passes.",
-    "bursts": "Burst sizes over their mean, with the counting error. Dashed: exponential law of a memoryless clogging.",
+    "spatiotemporal_sweep": "The first seed of every point, as in the paper's figure 3: passages through the neck over the median length of these runs.",
+    "bursts": "Burst sizes over their mean, with the counting error. Dashed: exponential law of a memoryless clogging. In a sweep, "
+              "right: the mean, first bursts and those cut off by the end included, with its 95 % interval; a triangle stands on the lower bound "
+              "of a point without a clog; dashed: fitted law.",
     "lapses": "a: lapses between passages and the power laws fitted to them (Clauset, Shalizi & Newman); dotted: clog threshold; "
               "lapses below 0.001 τ are not shown. "
-              "b: arrests that survive a time (Kaplan-Meier with standard error; arrests cut by a release or by the end of the run are censored).",
+              "b: arrests that survive a time (Kaplan-Meier with standard error; arrests cut by a release or by the end of the run are censored). "
+              "In a sweep, c: exponent of the arrests with its 95 % interval; open: releases cut the arrests, not fitted; a triangle hangs "
+              "on an upper bound; dotted: α = 2; dashed: fitted law.",
     "series": "Number of particles in the domain, packing fraction of the channel and porosity of the strips.",
 }
 
@@ -97,11 +102,53 @@ def figures(paths):
     for path in paths:
         if path.suffix != ".png":
             continue
-        caption = CAPTIONS.get(path.stem.split("_")[0], "")
+        caption = CAPTIONS.get(path.stem) or CAPTIONS.get(path.stem.split("_")[0], "")
         data = base64.b64encode(path.read_bytes()).decode()
         parts.append(f'<figure><img alt="{path.stem}" src="data:image/png;base64,{data}">'
                      f"<figcaption>{html.escape(caption)} ({path.name}, {path.stem}.svg)</figcaption></figure>")
     return "\n".join(parts)
+
+
+def bounded(entry):
+    bound = {"lower bound": f"> {number(entry['low'])}", "upper bound": f"< {number(entry['high'])}"}
+    return bound.get(entry["status"], interval(entry))
+
+
+def law(series, quantity, symbol, labels):
+    """A fitted law in a row: x, b, ln A, how well it fits, what was not fitted."""
+    fit = series[quantity]
+    name = symbol + (f" ({html.escape(series['label'])})" if series["label"] else "")
+    if "refused" in fit:
+        return [name, html.escape(fit.get("x", "")), "–", "–", "–", "–", "not fitted: " + html.escape(fit["refused"])]
+    out = [f"{html.escape(labels[o['group']])}: {o['status']}" + ("" if "agrees" not in o else ", kept" if o["agrees"] else ", <b>broken</b>")
+           for o in fit["left_out"]]
+    return [name, html.escape(fit["x"]), interval(fit["b"]), interval(fit["ln_A"]),
+            f"{fit['chi_squared']:.3g} / {fit['degrees_of_freedom']} (p = {fit['p_value']:.2g})", number(fit["extra_scatter"]),
+            "; ".join(out) or "–"]
+
+
+def sweep(statistics):
+    """The points of a sweep and the laws through them; nothing for a single ensemble."""
+    trend = statistics.data.get("trend")
+    if trend is None or len(statistics.groups) < 2:
+        return ""
+    points = []
+    for point in trend["points"]:
+        mean, alpha = point["mean_burst"], point["alpha"]
+        points.append([html.escape(statistics.groups[point["group"]]["label"]), *[html.escape(point["values"][k]) for k in trend["keys"]],
+                       mean["stops"], mean["passages"], bounded(mean), alpha["ended"], alpha["cut"], bounded(alpha), alpha["status"]])
+    head = ["", *map(html.escape, trend["keys"]), "clogs", "passages", "⟨s⟩", "arrests that ended", "arrests cut", "α", "status of α"]
+    laws = [law(series, quantity, symbol, [g["label"] for g in statistics.groups]) for series in trend["series"]
+            for quantity, symbol in (("mean_burst", "⟨s⟩ = A exp(b x)"), ("alpha", "α = A exp(b x)"))]
+    rivals = [f"{html.escape(r['x'])}: χ² = {r['chi_squared']:.3g}" for series in trend["series"] for r in series["mean_burst"].get("rivals", [])]
+    missing = trend.get("without_runs", [])
+    return ("<h2>Along the sweep</h2>" + table(head, points) +
+            table(["law", "x", "b", "ln A", "χ² / degrees of freedom", "extra scatter of the logarithm", "not fitted: bound kept or broken"], laws) +
+            (f'<p class="quiet">ln⟨s⟩ as a straight line in other variables: {"; ".join(rivals)}.</p>' if rivals else "") +
+            '<p class="quiet">Here ⟨s⟩ counts every burst: passages per clog, the first bursts and those that the end cut off '
+            "included. Intervals (95 %): the wider of the one over seeds and the exact one of the counts. Weights of the fits: these errors and an "
+            "extra scatter, if the law misses the points by more than them.</p>" +
+            "".join(f'<p class="note">{html.escape(name)}: no runs yet</p>' for name in missing))
 
 
 def provenance(groups):
@@ -123,7 +170,7 @@ def write(statistics, paths, folder):
         title=html.escape(title),
         subtitle=f"clogflow {statistics.data['program']}, {sum(len(g['runs']) for g in groups)} runs",
         notes="".join(f'<p class="note">{html.escape(note)}</p>' for note in notes),
-        summary=summary(groups), figures=figures(paths), halves=halves(groups), fits=fits(groups),
+        summary=summary(groups), sweep=sweep(statistics), figures=figures(paths), halves=halves(groups), fits=fits(groups),
         provenance=provenance(groups))
     target = Path(folder) / "report.html"
     target.write_text(page, encoding="utf-8")

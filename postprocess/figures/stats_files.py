@@ -40,11 +40,6 @@ def value(group, key):
     return tuple(math.nan if entry[k] is None else entry[k] for k in ("value", "low", "high"))
 
 
-def neck_ratio(group):
-    """D/d, or NaN without a neck."""
-    return group["geometry"].get("neck_ratio", math.nan)
-
-
 def suffix(statistics, index):
     """Appended to the names of figures that exist once a group."""
     return "" if len(statistics.groups) == 1 else f"_{index}"

@@ -3,6 +3,7 @@
 from pathlib import Path
 
 import matplotlib
+import numpy as np
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend must be chosen first)
@@ -37,12 +38,39 @@ def group_colours(count):
     return [plt.get_cmap("viridis")(0.88 * k / (count - 1)) for k in range(count)]
 
 
-def legend(axes, **where):
-    """Legend with the data first and the guides after them (matplotlib puts lines before error bars)."""
+MOST_GROUPS_INSIDE = 3  # the legend of more goes beside the panels, where it covers no data
+
+
+def legend_entries(axes):
+    """Data first and the guides after them (matplotlib puts lines before error bars): handles, labels."""
     handles, labels = axes.get_legend_handles_labels()
     order = sorted(range(len(handles)), key=lambda k: not hasattr(handles[k], "has_yerr"))
-    if order:
-        axes.legend([handles[k] for k in order], [labels[k] for k in order], **where)
+    return [handles[k] for k in order], [labels[k] for k in order]
+
+
+def legend(axes, **where):
+    handles, labels = legend_entries(axes)
+    if handles:
+        axes.legend(handles, labels, **where)
+
+
+def legend_beside(axes):
+    """The same to the right of all panels; the figure grows by its width."""
+    figure = axes.figure
+    handles, labels = legend_entries(axes)
+    if handles:
+        beside = figure.legend(handles, labels, loc="upper right")
+        panels = figure.get_figwidth()
+        total = panels + beside.get_window_extent(figure.canvas.get_renderer()).width / figure.dpi
+        figure.set_figwidth(total)
+        figure.get_layout_engine().set(rect=(0, 0, panels / total, 1))
+
+
+def room_for_legend(axes):
+    """Space above the data of a logarithmic axis for a legend with these entries."""
+    lines = sum(1 + label.count("\n") for label in axes.get_legend_handles_labels()[1])
+    low, high = np.log(axes.get_ylim())
+    axes.set_ylim(top=np.exp(high + (high - low) * (0.04 + 0.075 * lines)))
 
 
 def say(axes, text):

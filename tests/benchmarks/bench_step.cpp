@@ -126,6 +126,20 @@ void drag_lookup(benchmark::State& state) {
 }
 BENCHMARK(drag_lookup)->Unit(benchmark::kMicrosecond);
 
+/// A look at the limit of the contacts: the bound of every particle, and the whole network where the step is near it.
+void limit_bound(benchmark::State& state) {
+  for (auto _ : state) benchmark::DoNotOptimize(pack(1, 1).network().bound().step);
+}
+BENCHMARK(limit_bound)->Unit(benchmark::kMicrosecond);
+
+void limit_exact(benchmark::State& state) {
+  const NetworkLimit network = pack(1, 1).network();
+  const NetworkLimit::Bound bound = network.bound();
+  for (auto _ : state) benchmark::DoNotOptimize(network.exact(bound));
+  state.counters["exact_over_bound"] = network.exact(bound) / bound.step;
+}
+BENCHMARK(limit_exact)->Unit(benchmark::kMicrosecond);
+
 }  // namespace
 }  // namespace clog::test
 

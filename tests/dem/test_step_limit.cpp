@@ -138,6 +138,35 @@ TEST(NetworkLimit, ExactIsThatOfTheWholeChain) {
   }
 }
 
+TEST(NetworkLimit, ExactOfManyIsSafeWithoutASearchOfAllModes) {
+  // 400 masses have many frequencies close to the highest: the worst there is for Lanczos' method. 2 % are promised.
+  constexpr int n = 400;
+  const Particles p = unit_spheres(n);
+  for (const double dashpot : {0.0, 0.5}) {
+    NetworkLimit chain(p);
+    for (int i = 0; i + 1 < n; ++i) chain.add_contact(i, i + 1, spring(4, dashpot));
+    const double modes = 2 * (1 + std::cos(M_PI / n)), limit = stable_step(4 * modes, dashpot * modes);
+    const double found = chain.exact(chain.bound());
+    EXPECT_LE(found, limit) << dashpot;
+    EXPECT_GE(found, 0.98 * limit) << dashpot;
+  }
+}
+
+TEST(NetworkLimit, ExactIsInfiniteWhereImplicitDragHoldsAllFilms) {
+  const Particles p = unit_spheres(3);
+  const auto limit = [&](double drag) {
+    NetworkLimit network(p);
+    network.add_film(0, 1, {1, 0, 0}, 1);
+    network.add_film(1, 2, {1, 0, 0}, 1);
+    for (const int i : {0, 1, 2}) network.add_drag(i, {drag, 0, true});
+    return network.exact(network.bound());
+  };
+  // The fastest of the chain's modes is damped by 3: 4 + 2 drag dt = 2 * 3 dt has no solution beyond drag = 3.
+  EXPECT_EQ(limit(3.5), std::numeric_limits<double>::infinity());
+  EXPECT_LE(limit(2), 2);
+  EXPECT_GE(limit(2), 1.9);
+}
+
 TEST(NetworkLimit, ExactKnowsDashpotsAndDrag) {
   const Particles p = unit_spheres(2);
   for (const bool implicit : {false, true}) {

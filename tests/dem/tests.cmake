@@ -16,7 +16,7 @@ clog_tests(test_dem_parts
           dem/test_stl.cpp dem/test_flow_field.cpp
   LIBRARIES clog_dem LABELS unit)
 clog_tests(test_channel_parts
-  SOURCES dem/test_inlet.cpp dem/test_refusals.cpp dem/test_step_limit.cpp
+  SOURCES dem/test_inlet.cpp dem/test_refusals.cpp dem/test_shaking.cpp dem/test_step_limit.cpp
           dem/test_model_refusals.cpp dem/test_plan.cpp dem/test_stl_scene.cpp
   LIBRARIES clog_dem LABELS unit)
 clog_tests(test_channel_runs

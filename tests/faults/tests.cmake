@@ -6,6 +6,16 @@ clog_tests(test_killed
   LIBRARIES clog_dem LABELS faults)
 target_compile_definitions(test_killed PRIVATE CLOG_PROGRAM="$<TARGET_FILE:clog>")
 add_dependencies(test_killed clog)
+clog_tests(test_killed_ranks
+  SOURCES faults/test_killed_ranks.cpp
+  LIBRARIES clog_dem LABELS faults)
+target_compile_definitions(test_killed_ranks PRIVATE CLOG_PROGRAM="$<TARGET_FILE:clog>")
+add_dependencies(test_killed_ranks clog)
 clog_tests(test_scene_limits
   SOURCES faults/test_scene_bounds.cpp faults/test_corner_cases.cpp faults/test_found_by_fuzzing.cpp faults/test_forged_states.cpp
   LIBRARIES clog_dem LABELS faults)
+clog_tests(test_until
+  SOURCES faults/test_until.cpp faults/test_time_limit.cpp
+  LIBRARIES clog_dem clog_postprocess LABELS faults)
+target_compile_definitions(test_until PRIVATE CLOG_PROGRAM="$<TARGET_FILE:clog>")
+add_dependencies(test_until clog)

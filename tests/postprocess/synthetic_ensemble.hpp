@@ -20,6 +20,7 @@ struct SyntheticEnsemble {
   double end = 1.5;                  ///< [s]
   double snapshot_interval = 0.002;  ///< [s]; 0: none
   std::string more;                  ///< further lines of the scene
+  Overrides overrides = {};          ///< of its keys
 };
 
 inline std::string scene_of(const SyntheticEnsemble& ensemble) {
@@ -49,7 +50,7 @@ protocol = ")" + ensemble.protocol +
 [time]
 end = ")" + std::to_string(ensemble.end) +
                            " s\"\n";
-  return effective_scene(parse_scene(text, "synthetic.toml"));
+  return effective_scene(parse_scene(text, "synthetic.toml", ensemble.overrides));
 }
 
 /// A snapshot of spheres on a jittered lattice that fills the channel; flowing ones move along x.

@@ -3,9 +3,13 @@ clog_tests(test_postprocess
     postprocess/test_bursts.cpp
     postprocess/test_censored.cpp
     postprocess/test_confidence.cpp
+    postprocess/test_geometric_law.cpp
     postprocess/test_number_column.cpp
     postprocess/test_power_law.cpp
     postprocess/test_statistics_files.cpp
+    postprocess/test_stopping_rule.cpp
+    postprocess/test_sweeps.cpp
+    postprocess/test_weighted_line.cpp
   LIBRARIES clog_postprocess
   LABELS unit
 )

@@ -52,14 +52,18 @@ TEST(TradeCompare, SeesADifferenceOnlyBeyondItsInterval) {
   EXPECT_FALSE(unclear.real());
 }
 
-TEST(TradeCompare, UsesOnlyWhatBothRan) {
+TEST(TradeCompare, UsesAllOfBothAndDrawsPairsTogether) {
   Sample half = bursts_of(10, 0);
   half.pieces.resize(5);
   half.pieces[0].totals.escaped = 60;
-  const Difference d = compare(named("mean_burst"), bursts_of(8, 0), half);
+  const Difference d = compare(named("mean_burst"), bursts_of(8, 1), half);
   EXPECT_DOUBLE_EQ(d.reference, 8);
   EXPECT_DOUBLE_EQ(d.value, (4 * 100 + 60) / 50.0);
   EXPECT_TRUE(std::isnan(compare(named("mean_burst"), bursts_of(8, 0), Sample{}).difference));
+  // The same waver in both cancels where pairs are drawn together: a tenth more stays exactly a tenth more.
+  const Difference paired = compare(named("mean_burst"), bursts_of(10, 5), bursts_of(11, 5.5));
+  EXPECT_NEAR(paired.low, 0.1, 1e-12);
+  EXPECT_NEAR(paired.high, 0.1, 1e-12);
 }
 
 json study_with(const json& settings, double diameter) {
@@ -134,7 +138,7 @@ class ToyStudy : public testing::Test {
 protected:
   ToyStudy() : scene_(small_channel({"time.end=6 ms", "ensemble.seeds=[1]"})), flow_(synthetic_flow(scene_)) {
     std::ofstream(folder_ / "toy.toml") << effective_scene(scene_);
-    study_ = {folder_ / "toy.toml", {}, &flow_, folder_ / "toy", 0, nullptr};
+    study_ = {folder_ / "toy.toml", {}, &flow_, folder_ / "toy", 0, nullptr, {"tau50", "cheap"}};
   }
   ~ToyStudy() override { std::filesystem::remove_all(folder_ / "toy"); }
 
@@ -162,7 +166,11 @@ TEST_F(ToyStudy, ReportsWhatItRanAndWhatItDidNotAndGoesOn) {
   json some = nothing;
   for (int calls = 0; calls < 20 && some.value("reference", "") == ""; ++calls) some = evaluate(1 + calls);
   EXPECT_EQ(some["reference"], "tau50");
-  const json& reference = some["settings"][0];
+  const auto setting = [&](const char* name) {
+    return *std::ranges::find_if(some["settings"], [&](const json& s) { return s["name"] == name; });
+  };
+  EXPECT_TRUE(setting("gpa3")["not_run"]);
+  const json reference = setting("tau50");
   for (const Observable& o : observables()) {
     const json& d = reference["differences"][o.key];
     EXPECT_TRUE(d["difference"].is_null() || d["difference"] == 0.0) << o.key << d;
@@ -178,10 +186,19 @@ TEST_F(ToyStudy, ReportsWhatItRanAndWhatItDidNotAndGoesOn) {
   EXPECT_LT(brief["tau200"]["path"], 0.5 * brief["tau50"]["path"].get<double>());
   EXPECT_THAT(table(some), HasSubstr("not run\n"));
 
+  // Stiffer particles cost more steps: tau, which the step is a share of, goes as E^(-2/5).
+  EXPECT_NEAR(brief["gpa3"]["particle_steps"].get<double>() / brief["tau50"]["particle_steps"].get<double>(),
+              std::pow(1000, 0.4), 0.5);
+
   // Nothing is run twice.
   const std::size_t lines = said_.size();
   evaluate(0);
   for (std::size_t k = lines; k < said_.size(); ++k) EXPECT_THAT(said_[k], HasSubstr("already done"));
+}
+
+TEST_F(ToyStudy, RefusesASettingThatItDoesNotKnow) {
+  study_.only = {"cheap", "cheapest"};
+  EXPECT_THAT(refusal([this] { evaluate(0); }), HasSubstr("--settings cheapest (no such setting)"));
 }
 
 }  // namespace

@@ -17,5 +17,7 @@ add_executable(verification_report verification/verification_report.cpp)
 target_link_libraries(verification_report PRIVATE clog_verification)
 
 # The same state in LAMMPS, if it is installed.
-add_test(NAME PeerLammps COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/verification/peer_lammps $<TARGET_FILE:clog>)
-set_tests_properties(PeerLammps PROPERTIES SKIP_RETURN_CODE 77 LABELS verification TIMEOUT 300)
+foreach(peer lammps turning)
+  add_test(NAME peer_${peer} COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/verification/peer_${peer} $<TARGET_FILE:clog>)
+  set_tests_properties(peer_${peer} PROPERTIES SKIP_RETURN_CODE 77 LABELS verification TIMEOUT ${test_time_limit})
+endforeach()

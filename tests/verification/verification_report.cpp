@@ -21,6 +21,12 @@ The particle solver against published benchmarks, closed forms and conservation 
 and asserted, with the same numbers and limits, by the test program `test_verification`. *Error* is relative to
 the reference, or absolute (marked "abs") where the reference is zero or a curve with zeros. Chung & Ooi: "Benchmark tests for
 verifying discrete element modelling codes at particle impact level", Granular Matter 13 (2011) 643.
+
+The same states in LAMMPS (Debian package `lammps`) are compared by two scripts, which print the differences, and say at their head
+where the laws are equal and where each limit comes from:
+
+    tests/verification/peer_lammps build/release/bin/clog     # contact list, normal and sliding forces
+    tests/verification/peer_turning build/release/bin/clog    # rolling and torsion
 )";
 
 /// A name as a cell of a table.

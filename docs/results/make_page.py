@@ -1,0 +1,141 @@
+"""Writes docs/results.md and its figures. Called by docs/make_results with a folder of statistics, one a sweep, and their number."""
+
+import sys
+import tempfile
+from pathlib import Path
+from string import Template
+
+import claims
+from campaign import Campaign, estimate, number, table
+
+import fig_bursts  # from postprocess/figures, which campaign.py put on the path
+import fig_lapses
+import fig_spatiotemporal
+import fig_trend
+import matplotlib.pyplot as plt
+import style
+from stats_files import Statistics
+
+HERE = Path(__file__).resolve().parent
+
+
+def keep_png(make, statistics, name, target):
+    """Draws with one of the report's functions and keeps the PNG it wrote as `target`, small enough for a repository."""
+    with plt.rc_context({"savefig.dpi": 110}), tempfile.TemporaryDirectory() as folder:
+        make(statistics, folder)
+        (HERE / target).write_bytes((Path(folder) / name).read_bytes())
+
+
+def summary(campaign):
+    points = campaign.points
+    runs = sum(len(p.group["runs"]) for p in points)
+    stops = sum(p.trend["mean_burst"]["stops"] for p in points)
+    passages = sum(p.trend["mean_burst"]["passages"] for p in points)
+    verdicts = [row[2] for row in claims.rows(campaign)]
+    counts = {v: verdicts.count(v) for v in (claims.AGREES, claims.PARTLY, claims.DIFFERS)}
+    return (f"{runs} runs at {len(points)} sizes, {stops} clogs, {passages} passages, {number(sum(p.core_hours() for p in points), 2)} core-hours. "
+            f"Of the paper's {len(verdicts)} claims below {counts[claims.AGREES]} agree, {counts[claims.PARTLY]} agree in part, "
+            f"{counts[claims.DIFFERS]} differ; the rest these runs cannot decide.")
+
+
+def ages(point):
+    change = point.quantity("mean_burst")
+    return "-" if change["ages"] is None else f"yes: {estimate(change['change'], 2)}" if change["ages"] else "no"
+
+
+def points(campaign):
+    head = ["D/d", "d [um]", "seeds", "time [s]", "clogs / passages", "<s>", "<s>, whole", "<s>, tau/2", "releases nothing follows",
+            "ages", "particles", "packing", "core-hours"]
+    rows = []
+    for p in campaign.points:
+        mean = p.trend["mean_burst"]
+        failed = p.quantity("share_failed")["value"]
+        rows.append([number(p.ratio), number(1e6 * p.group["geometry"]["diameter"]), len(p.group["runs"]),
+                     number(sum(r["end"] - r["start"] for r in p.group["runs"])), f"{mean['stops']} / {mean['passages']}", f"**{estimate(mean)}**",
+                     estimate(p.quantity("mean_burst")), estimate(p.quantity("mean_burst_by_threshold")),
+                     "-" if failed is None else f"{100 * failed:.2g} %", ages(p), number(p.group["steady"]["particles"]["value"]),
+                     number(p.group["steady"]["packing_fraction"]["value"]), number(p.core_hours(), 2)])
+    return table(head, rows)
+
+
+def law(fit):
+    """The fit of <s> in words; the refusal when there is none."""
+    if "refused" in fit:
+        return f"No law fitted: {fit['refused']}."
+    text = (f"Law through {fit['points']} points: <s> = A exp(b {fit['x']}), b = {estimate(fit['b'])}, ln A = {estimate(fit['ln_A'])}; chi squared "
+            f"{number(fit['chi_squared'])} with {fit['degrees_of_freedom']} degrees of freedom (p = {number(fit['p_value'], 2)}).")
+    if fit["extra_scatter"] > 0:
+        text += (f" The points scatter by {number(fit['extra_scatter'], 2)} in ln<s> beyond their errors, which the weights and the "
+                 "intervals include.")
+    for out in fit["left_out"]:
+        if "agrees" in out:
+            text += f" A point with a {out['status']} is {'respected' if out['agrees'] else '**not** respected'}: the law gives {number(out['law'])} there."
+    return text
+
+
+def rivals(fit):
+    """Which power of D/d makes the straightest line."""
+    if not fit.get("rivals"):
+        return ""
+    head = ["ln<s> as a line in", "slope", "chi squared", "scatter beyond the errors"]
+    return "\n\n" + table(head, [[r["x"], estimate(r["b"]), number(r["chi_squared"]), number(r["extra_scatter"], 2)] for r in fit["rivals"]])
+
+
+def draw_sweep(statistics, folder):
+    figure, axes = plt.subplots(figsize=(style.COLUMN + 0.4, 2.9))
+    fig_trend.draw_mean_burst(axes, statistics)
+    return style.save(figure, folder, "sweep")
+
+
+def other_sweep(sweep):
+    """A sweep of another key: table, figure and law."""
+    name = f"{sweep.key.replace('.', '_')}.png"
+    keep_png(draw_sweep, sweep.statistics, "sweep.png", name)
+    rows = [[value, len(group["runs"]), f"{point['mean_burst']['stops']} / {point['mean_burst']['passages']}", estimate(point["mean_burst"]),
+             estimate(group["quantities"]["flow_rate_flowing"]), f"{100 * group['quantities']['share_censored']['value']:.0f} %"]
+            for value, point, group in zip(sweep.values(), sweep.points, sweep.groups)]
+    head = [f"`{sweep.key}`", "seeds", "clogs / passages", "<s>", "passages per second of flow", "arrests that outlast 5 tau"]
+    fit = sweep.trend["series"][0]["mean_burst"]
+    return (f"### `{sweep.key}` at D/d = {number(sweep.ratio)}\n\n{table(head, rows)}\n\n![<s> along the sweep](results/{name})\n\n"
+            f"{law(fit)}\n\n")
+
+
+def other_sweeps(campaign):
+    if not campaign.sweeps:
+        return ""
+    return "## Other keys\n\n" + "".join(map(other_sweep, campaign.sweeps.values()))
+
+
+def missing(campaign):
+    sizes = ", ".join(f"{d} um (D/d = {number(100 / d)})" for d in campaign.missing())
+    return f"Sizes of the paper without a run: {sizes}." if sizes else "All nine sizes were run."
+
+
+def not_covered(campaign):
+    bullets = ["* 3 GPa; noise at these sizes; channels of 15 D and 20 D; other flow rates.",
+               "* How arches break: needs runs without releases and with noise ([arches.md](arches.md))."]
+    few = [p for p in campaign.points if p.trend["mean_burst"]["stops"] < 100]
+    if few:
+        bullets.append("* Fewer than 100 clogs, so <s> to 20 % at best: D/d = " + ", ".join(number(p.ratio) for p in few) + ".")
+    return "\n".join(bullets)
+
+
+def main():
+    work, count = Path(sys.argv[1]), int(sys.argv[2])
+    campaign = Campaign(work / "0", [work / str(k) for k in range(1, count)])
+    figures = ((fig_spatiotemporal.make_sweep, "spatiotemporal_sweep.png", "figure3.png"), (fig_bursts.make, "bursts.png", "figure4.png"),
+               (fig_lapses.make, "lapses.png", "figure5.png"))
+    for make, name, target in figures:
+        keep_png(make, campaign.statistics, name, target)
+    fit = campaign.fit["mean_burst"]
+    head = ["claim", "ours (D/d: value)", "agrees?"]
+    page = Template((HERE / "template.md").read_text(encoding="utf-8")).substitute(
+        summary=summary(campaign), missing=missing(campaign), points=points(campaign), law=law(fit) + rivals(fit),
+        claims=table(head, claims.rows(campaign)), trends=table(head, claims.trend_rows(campaign)),
+        sweeps=other_sweeps(campaign),
+        arguments=" ".join(["campaign", *(f"sweep{k}" for k in range(1, count))]), not_covered=not_covered(campaign))
+    (HERE.parent / "results.md").write_text(page.rstrip("\n") + "\n", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

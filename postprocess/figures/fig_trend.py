@@ -1,0 +1,126 @@
+"""Panels of a sweep: <s> and alpha of every point, bounds as triangles, and the fitted laws (paper, figures 4 and 5)."""
+
+import numpy as np
+from matplotlib.markers import CARETDOWNBASE, CARETUPBASE
+
+import style
+
+DISPLAY = {"m": ("µm", 1e6), "rad": ("deg", 180 / np.pi), "s": ("ms", 1e3)}
+
+
+class Variable:
+    """What the panels are drawn against: D/d, another swept number, or words in order of appearance."""
+
+    def __init__(self, trend):
+        variable = trend["variable"]
+        self.is_ratio = variable["name"] == "D/d"
+        self.numeric = variable["numeric"]
+        unit, self.scale = DISPLAY.get(variable["unit"], (variable["unit"], 1.0)) if self.numeric else ("", 1.0)
+        self.name = "neck-to-particle ratio $D/d$ [1]" if self.is_ratio else f"{variable['name']} [{unit}]".removesuffix(" []")
+        self.words = {p["x"]: p["values"].get(variable["key"], "") for p in trend["points"]}
+
+    def label(self, axes, name=None):
+        axes.set_xlabel(name or self.name)
+        if not self.numeric:
+            axes.set_xticks(list(self.words), list(self.words.values()))
+            axes.set_xlim(min(self.words) - 0.5, max(self.words) + 0.5)
+
+
+def draw_point(axes, x, entry, colour):
+    """Value with interval; a bound as a triangle that stands or hangs on it."""
+    if entry["status"] == "lower bound":
+        axes.plot(x, entry["low"], marker=CARETUPBASE, ms=7, color=colour)
+    elif entry["status"] == "upper bound":
+        axes.plot(x, entry["high"], marker=CARETDOWNBASE, ms=7, color=colour)
+    elif entry["value"] is not None:
+        if entry["low"] is not None:
+            axes.plot([x, x], [entry["low"], entry["high"]], color=colour, lw=1)
+        face = "white" if entry["status"] == "cut by releases" else colour
+        axes.plot(x, entry["value"], "o", ms=5, color=colour, mfc=face)
+
+
+def draw_law(axes, series, xs, quantity, scale, colour, symbol):
+    """The fitted exponential over the range of the points, with the interval of its slope."""
+    fit = series[quantity]
+    if "refused" in fit or len(xs) < 2:
+        return
+    x = np.linspace(min(xs), max(xs), 100)
+    b = fit["b"]
+    misfit = "" if fit["p_value"] > 0.05 else f"\nmisses the points: p = {fit['p_value']:.1g}"
+    axes.plot(x * scale, np.exp(fit["ln_A"]["value"] + b["value"] * x), "--", color=colour, lw=1.1, zorder=1,
+              label=f"{symbol}, b = {b['value']:.3g} [{b['low']:.3g}, {b['high']:.3g}]{misfit}")
+
+
+def colours_of(statistics):
+    """One a point when there is a single series, as in the other panels; otherwise one a series."""
+    trend = statistics.data["trend"]
+    if len(trend["series"]) == 1:
+        return style.group_colours(len(trend["points"])), [style.INK]
+    series = style.group_colours(len(trend["series"]))
+    return [series[p["series"]] for p in trend["points"]], series
+
+
+def right_edge(xs):
+    """Beyond it a bound is drawn at the edge, lest one far point squeeze all others together."""
+    return max(xs) + 0.35 * (max(xs) - min(xs)) if len(xs) > 1 else np.inf
+
+
+def point_out(axes, x, point, colour):
+    axes.text(x, point["mean_burst"]["low"] * 0.8, f"D/d = {point['x']:.3g} →", ha="right", va="top", fontsize=7, color=colour)
+
+
+def draw(axes, statistics, quantity, transform, symbol):
+    trend = statistics.data["trend"]
+    variable = Variable(trend)
+    points, lines = colours_of(statistics)
+    edge = right_edge([transform(p["x"]) for p in trend["points"] if p[quantity]["value"] is not None])
+    for point, colour in zip(trend["points"], points):
+        x = transform(point["x"])
+        if x > edge and point[quantity]["status"] == "lower bound":
+            point_out(axes, edge * variable.scale, point, colour)
+        draw_point(axes, min(x, edge) * variable.scale, point[quantity], colour)
+    for index, (series, colour) in enumerate(zip(trend["series"], lines)):
+        mine = [p for p in trend["points"] if p["series"] == index]
+        fitted = [transform(p["x"]) for p in mine if p[quantity]["status"] == "measured"]
+        if series["label"]:
+            axes.plot([], [], "o", color=colour, label=series["label"])
+        draw_law(axes, series, fitted, quantity, variable.scale, colour, symbol)
+    return variable
+
+
+def draw_mean_burst(axes, statistics):
+    variable = draw_against_power(axes, statistics)
+    axes.set_yscale("log")
+    variable.label(axes, r"$(D/d)^3$ [1]" if variable.is_ratio else None)
+    axes.set_ylabel(r"mean burst size $\langle s\rangle$ [1]")
+    style.room_for_legend(axes)
+    style.legend(axes, loc="upper left")
+
+
+def draw_against_power(axes, statistics):
+    is_ratio = Variable(statistics.data["trend"]).is_ratio
+    symbol = r"$A\,e^{b(D/d)^3}$" if is_ratio else r"$A\,e^{bx}$"
+    return draw(axes, statistics, "mean_burst", (lambda x: x**3) if is_ratio else (lambda x: x), symbol)
+
+
+def draw_alpha(axes, statistics):
+    is_ratio = Variable(statistics.data["trend"]).is_ratio
+    variable = draw(axes, statistics, "alpha", lambda x: x, r"$A\,e^{bD/d}$" if is_ratio else r"$A\,e^{bx}$")
+    axes.set_yscale("log")
+    axes.yaxis.set_major_formatter("{x:g}")
+    axes.yaxis.set_minor_formatter("{x:g}")
+    axes.tick_params(axis="y", which="minor", labelsize=7)
+    axes.axhline(2, color=style.GREY, lw=0.8, ls=":")
+    if any(point["alpha"]["status"] == "cut by releases" for point in statistics.data["trend"]["points"]):
+        axes.plot([], [], "o", color=style.INK, mfc="white", label="arrests cut by releases")
+    if all(point["alpha"]["status"] == "no arrest" for point in statistics.data["trend"]["points"]):
+        style.say(axes, r"no arrest ($T \geq T_{\min}$) in any run")
+    variable.label(axes)
+    axes.set_ylabel(r"exponent $\alpha$ ($T \geq T_{\min}$) [1]")
+    style.room_for_legend(axes)
+    style.legend(axes, loc="upper left")
+
+
+def exists(statistics):
+    """Whether there is a sweep to draw."""
+    return len(statistics.groups) > 1 and "trend" in statistics.data
