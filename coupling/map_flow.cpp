@@ -167,8 +167,8 @@ std::string solved_hash(const fs::path& folder, const Scene& scene) {
   return hash;
 }
 
-// The error told by the coarser solution of a case, if it has one; and the samples and the pressure drop
-// extrapolated from both where the scene wants that.
+// The error told by the coarser solution of a case, if it has one; and the samples and the pressure
+// drop extrapolated from both where the scene wants that.
 nlohmann::json use_coarser_flow(const fs::path& folder, const Scene& scene, FoamSamples& samples,
                                 double& pressure_drop) {
   const std::optional<CoarserFlow> coarse = read_coarser_flow(folder, scene);
@@ -233,12 +233,14 @@ LookupError lookup_error(const FlowGrid& grid, double speed) {
           .nearest = std::sqrt(slope / count / 12) / speed};
 }
 
-FlowGrid stl_grid_from_samples(const Scene& scene, const FlowSpace& space, const FoamSamples& samples) {
+FlowGrid stl_grid_from_samples(const Scene& scene, const FlowSpace& space,
+                               const FoamSamples& samples) {
   const FlowLattice& lattice = space.lattice;
   FlowGrid grid = empty_grid(lattice);
   const DuctFlow duct(scene.geometry.channel_width, scene.geometry.neck_height);
   std::vector<double> heights;
-  for (int k = 0; k < lattice.height; ++k) heights.push_back(lattice.coordinate(lattice.z_begin + k));
+  for (int k = 0; k < lattice.height; ++k)
+    heights.push_back(lattice.coordinate(lattice.z_begin + k));
   std::size_t fluid = 0, lost = 0;
   for (int i = lattice.x_begin; i < lattice.x_end; ++i)
     for (int row = 0; row < grid.points[1]; ++row) {
@@ -246,7 +248,8 @@ FlowGrid stl_grid_from_samples(const Scene& scene, const FlowSpace& space, const
       const bool upstream = i < lattice.x_sampled;
       // Beside edges of triangles, which often lie on the grid's own planes.
       const double x = upstream ? space.straight : lattice.coordinate(i) + 1.3e-6 * lattice.spacing;
-      const std::vector<bool> inside = inside_along_z(space.walls, x, y + 1.7e-6 * lattice.spacing, heights);
+      const std::vector<bool> inside =
+          inside_along_z(space.walls, x, y + 1.7e-6 * lattice.spacing, heights);
       for (int k = 0; k < lattice.height; ++k) {
         const std::size_t at = grid.index(i - lattice.x_begin, row, k);
         grid.solid[at] = !inside[k];
@@ -260,12 +263,15 @@ FlowGrid stl_grid_from_samples(const Scene& scene, const FlowSpace& space, const
         const std::size_t from = samples.index(i - lattice.x_sampled, row, k);
         lost += !samples.found[from];
         grid.solid[at] = !samples.found[from];
-        for (int c = 0; c < 3; ++c) velocity[c] = samples.found[from] ? samples.velocity[from][c] : 0;
+        for (int c = 0; c < 3; ++c)
+          velocity[c] = samples.found[from] ? samples.velocity[from][c] : 0;
       }
     }
-  const double share = static_cast<double>(lost) / static_cast<double>(std::max<std::size_t>(fluid, 1));
+  const double share =
+      static_cast<double>(lost) / static_cast<double>(std::max<std::size_t>(fluid, 1));
   require(share <= largest_lost_share,
-          "{:.2g} % of the points between the walls have no sample (allowed {} %: the mesh does not follow "
+          "{:.2g} % of the points between the walls have no sample (allowed {} %: the mesh does "
+          "not follow "
           "the walls); refine flow.mesh_cells_per_neck",
           100 * share, 100 * largest_lost_share);
   grid.provenance["points_lost_at_walls"] = share;
