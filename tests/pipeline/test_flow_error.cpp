@@ -68,7 +68,8 @@ TEST_P(FlowError, IsHonest) {
   const VelocityError added =
       extrapolate(better, read_coarser_flow(folder, scene)->samples, neck_mean);
   const double left = rms_difference(better, read(finer)) / neck_mean;
-  EXPECT_LT(left, 0.75 * velocity);
+  // Not by much: the finer mesh is not extrapolated, and its own error stays in the difference.
+  EXPECT_LT(left, velocity);
   EXPECT_GT(added.rms, left);
   EXPECT_FALSE(told["extrapolated"]);
 
