@@ -45,15 +45,18 @@ std::optional<postprocess::Totals> EnoughSeeds::totals_of_seed(std::uint64_t see
   return {};
 }
 
-void EnoughSeeds::accept() {
+void EnoughSeeds::settle() {
   read_on();
   const auto& seeds = ensemble_.scene.ensemble.seeds;
-  // A seed counts for certain as soon as those before it do not meet the rule.
-  const std::size_t certain = std::min(enough_.value_or(read_.size()), seeds.size());
-  for (std::size_t i = 0; i < certain; ++i) {
-    if (!std::filesystem::exists(ahead_file(ensemble_, seeds[i]))) continue;
+  // A seed counts for certain as soon as those before it do not meet the rule, and once it is met no other does.
+  const std::size_t certain = enough_.value_or(read_.size());
+  for (std::size_t i = 0; i < seeds.size(); ++i) {
+    const bool counts = i < certain;
+    if (counts ? !std::filesystem::exists(ahead_file(ensemble_, seeds[i])) : !enough_) continue;
     // Where another rank has the lock, it is doing the same.
-    if (const auto lock = SeedLock::take(run_file(ensemble_, seeds[i]), "")) accept_ahead(ensemble_, seeds[i]);
+    const auto lock = SeedLock::take(run_file(ensemble_, seeds[i]), "");
+    if (!lock) continue;
+    counts ? accept_ahead(ensemble_, seeds[i]) : remove_states(ensemble_, seeds[i]);
   }
 }
 

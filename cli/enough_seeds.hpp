@@ -19,8 +19,9 @@ public:
   /// Whether the seed counts, or may count as far as one knows yet.
   bool wanted(std::uint64_t seed);
 
-  /// Gives run files that count their names. \throws Error if one cannot be written
-  void accept();
+  /// Gives run files that count their names, and removes the saved states of seeds that do not.
+  /// \throws Error if one cannot be written
+  void settle();
 
   /// What was decided, as a line; whether the rule was met.
   bool is_met() const { return enough_.has_value(); }

@@ -199,7 +199,7 @@ void run(const RunOptions& options) {
         line.clear();
         say(report);
       });
-  for (const auto& decision : decisions) decision->accept();
+  for (const auto& decision : decisions) decision->settle();
   conclude(call, result, options.out);
   if (launch.rank == 0) say(decisions, call);
 }

@@ -47,9 +47,9 @@ public:
 
   void look() {
     const bool stop = ensemble_.stop && ensemble_.stop->load();
-    const bool leave = !stop && is_left();
+    if (!stop && is_left()) throw Left{};
     const std::chrono::duration<double> since = Clock::now() - last_;
-    if (!stop && !leave && since.count() < ensemble_.scene.output.checkpoint_interval) return;
+    if (!stop && since.count() < ensemble_.scene.output.checkpoint_interval) return;
     last_ = Clock::now();
     try {
       checkpoint_.save(simulation_.save());
@@ -61,7 +61,6 @@ public:
       if (stop) throw;
     }
     if (stop) throw Stopped{};
-    if (leave) throw Left{};
   }
 
 private:
@@ -151,6 +150,8 @@ void accept_ahead(const Ensemble& ensemble, std::uint64_t seed) {
   std::filesystem::remove(ahead.replace_extension(".xmf"));
 }
 
+void remove_states(const Ensemble& ensemble, std::uint64_t seed) { Checkpoint(run_file(ensemble, seed), "").remove(); }
+
 void check_same_scene(const RunData& done, const Ensemble& ensemble, std::uint64_t seed,
                       const std::filesystem::path& file) {
   std::istringstream a(done.scene_text), b(effective_scene(scene_of(ensemble.scene, seed)));
@@ -188,7 +189,8 @@ SeedEnd run_locked_seed(const Ensemble& ensemble, const std::string& inputs, std
     report({seed, "stopped; its state is saved, the same call goes on from there", false});
     return SeedEnd::stopped;
   } catch (const Left&) {
-    report({seed, "not needed; its state is kept", false});
+    remove_states(ensemble, seed);
+    report({seed, "not needed", false});
     return SeedEnd::left;
   } catch (const std::exception& error) {
     report({seed, error.what(), true});

@@ -10,7 +10,6 @@
 
 #include "coupling/publish_file.hpp"
 #include "coupling/require.hpp"
-#include "dem/checkpoint.hpp"
 #include "dem/ledger.hpp"
 
 namespace clog {
@@ -126,7 +125,7 @@ std::optional<Claim> Worklist::claim(std::size_t k) {
     if (is_settled(k)) {
       // Its process died, or was about to end, after the result: what else it left is of no use.
       std::error_code ignored;
-      if (std::filesystem::exists(file(k), ignored)) Checkpoint(file(k), "").remove();
+      if (std::filesystem::exists(file(k), ignored)) remove_states(ensemble(k), jobs_[k].seed);
       return {};
     }
     return Claim{jobs_[k], std::move(*lock)};

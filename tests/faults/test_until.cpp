@@ -42,6 +42,8 @@ protected:
 
   void expect_first_four(const std::string& out) const {
     EXPECT_EQ(counted(out), (std::set<std::uint64_t>{1, 2, 3, 4})) << out;
+    for (const auto& entry : std::filesystem::directory_iterator(job_.path(out)))
+      EXPECT_THAT(entry.path().extension().string(), testing::AnyOf(".h5", ".xmf", ".csv")) << entry.path();
     for (const std::uint64_t seed : counted(out)) EXPECT_TRUE(job_.result(out, seed) == job_.result("all", seed));
   }
 
