@@ -40,7 +40,8 @@ void add_case(CLI::App& app) {
   verb->add_option("--set", options->overrides, "key=value: overrides the scene")
       ->allow_extra_args(false);
   verb->add_flag("--check", options->check,
-                 "solve on a coarser mesh too; clog map then estimates the error");
+                 "solve on a coarser mesh too, even without flow.extrapolate; clog map then "
+                 "estimates the error");
   verb->callback([options] { write_case(*options); });
 }
 

@@ -27,19 +27,25 @@ void write_map(const MapOptions& options) {
              options.out.string(), grid.hash, grid.points[0], grid.points[1], grid.points[2],
              1e6 * grid.spacing, 100 * worst);
   const auto& lookup = grid.provenance["lookup_error"];
-  fmt::print("reading it adds, in % of the neck's mean velocity: rms {:.2g} trilinear, {:.2g} nearest; "
-             "in the neck, walls included, {:.2g} and {:.2g}; {:.3g} MB of memory\n",
-             100 * lookup["trilinear_rms"].get<double>(), 100 * lookup["nearest_rms"].get<double>(),
-             100 * lookup["trilinear_in_neck"].get<double>(), 100 * lookup["nearest_in_neck"].get<double>(),
-             1e-6 * static_cast<double>(sizeof(float) * grid.velocity.size() + grid.solid.size()));
+  fmt::print(
+      "reading it adds, in % of the neck's mean velocity: rms {:.2g} trilinear, {:.2g} nearest; "
+      "in the neck, walls included, {:.2g} and {:.2g}; {:.3g} MB of memory\n",
+      100 * lookup["trilinear_rms"].get<double>(), 100 * lookup["nearest_rms"].get<double>(),
+      100 * lookup["trilinear_in_neck"].get<double>(),
+      100 * lookup["nearest_in_neck"].get<double>(),
+      1e-6 * static_cast<double>(sizeof(float) * grid.velocity.size() + grid.solid.size()));
   if (!grid.provenance.contains("mesh_error")) return;
   const auto percent = [&](const char* key) {
     return 100 * grid.provenance["mesh_error"][key].get<double>();
   };
   fmt::print(
-      "error of the mesh, estimated from a coarser one, in % of the neck's mean velocity: "
+      "{}, in % of the neck's mean velocity: "
       "rms {:.2g}, {:.2g} at 99 of 100 points, at most {:.2g} beside the edge; pressure drop "
       "{:.4g} Pa within {:.2g} %\n",
+      grid.provenance["mesh_error"]["extrapolated"].get<bool>()
+          ? "extrapolated from this mesh and a coarser one; the error is at most about what that "
+            "changed"
+          : "error of the mesh, estimated from a coarser one",
       percent("velocity_rms"), percent("velocity_99_percent"), percent("velocity_largest"),
       grid.provenance["pressure_drop"].get<double>(), percent("pressure_drop"));
 }

@@ -130,7 +130,8 @@ FoamCaseState write_foam_case(const Scene& scene, const fs::path& folder,
           "flow.source is not \"openfoam\" (this scene needs no flow case); set it to write one");
   try {
     refuse_foreign_folder(folder);
-    if (check == FoamCaseCheck::without) return write_files(scene, folder, template_folder);
+    if (check == FoamCaseCheck::without && !scene.flow.extrapolate)
+      return write_files(scene, folder, template_folder);
     const Scene coarser = coarser_scene(scene);
     const FoamCaseState state = write_files(scene, folder, template_folder);
     return std::min(state, write_files(coarser, coarser_folder(folder), template_folder));

@@ -20,9 +20,9 @@ enum class FoamCaseCheck { without, with_coarser_mesh };
 /// OpenFOAM reads: results of other inputs or of another template are removed, those of the same
 /// kept. Generated: system/sceneDict (numbers, SI), the mesh and its surfaces,
 /// constant/inletProfile, scene.toml, hash. Everything else is copied from `template_folder`. With
-/// a check, the case of the same flow on a coarser mesh lies inside, and the state is the less
-/// finished one of the two. \throws Error when the scene has no OpenFOAM flow, when `folder` holds
-/// something else, or when a file
+/// a check, and where the scene extrapolates, the case of the same flow on a coarser mesh lies
+/// inside, and the state is the less finished one of the two. \throws Error when the scene has no
+/// OpenFOAM flow, when `folder` holds something else, or when a file
 ///         cannot be written
 FoamCaseState write_foam_case(const Scene& scene, const std::filesystem::path& folder,
                               const std::filesystem::path& template_folder,

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <optional>
 
 #include "coupling/channel_geometry.hpp"
 #include "coupling/channel_shape.hpp"
@@ -166,6 +167,31 @@ std::string solved_hash(const fs::path& folder, const Scene& scene) {
   return hash;
 }
 
+// The error told by the coarser solution of a case, if it has one; and the samples and the pressure
+// drop extrapolated from both where the scene wants that.
+nlohmann::json use_coarser_flow(const fs::path& folder, const Scene& scene, FoamSamples& samples,
+                                double& pressure_drop) {
+  const std::optional<CoarserFlow> coarse = read_coarser_flow(folder, scene);
+  if (!coarse) return nullptr;
+  const double mean = neck_mean_velocity(scene);
+  VelocityError velocity{};
+  double of_drop = richardson_error(pressure_drop, coarse->pressure_drop);
+  if (scene.flow.extrapolate) {
+    velocity = extrapolate(samples, coarse->samples, mean);
+    const double added = correction(pressure_drop, coarse->pressure_drop);
+    pressure_drop += added;
+    of_drop = std::abs(added / pressure_drop);
+  } else {
+    velocity = richardson_error(samples, coarse->samples, mean);
+  }
+  return {{"cells_per_neck", {scene.flow.mesh_cells_per_neck, coarse->cells_per_neck}},
+          {"extrapolated", scene.flow.extrapolate},
+          {"velocity_rms", velocity.rms},
+          {"velocity_99_percent", velocity.most},
+          {"velocity_largest", velocity.largest},
+          {"pressure_drop", of_drop}};
+}
+
 }  // namespace
 
 double grid_flux(const FlowGrid& grid, int i) {
@@ -207,12 +233,14 @@ LookupError lookup_error(const FlowGrid& grid, double speed) {
           .nearest = std::sqrt(slope / count / 12) / speed};
 }
 
-FlowGrid stl_grid_from_samples(const Scene& scene, const FlowSpace& space, const FoamSamples& samples) {
+FlowGrid stl_grid_from_samples(const Scene& scene, const FlowSpace& space,
+                               const FoamSamples& samples) {
   const FlowLattice& lattice = space.lattice;
   FlowGrid grid = empty_grid(lattice);
   const DuctFlow duct(scene.geometry.channel_width, scene.geometry.neck_height);
   std::vector<double> heights;
-  for (int k = 0; k < lattice.height; ++k) heights.push_back(lattice.coordinate(lattice.z_begin + k));
+  for (int k = 0; k < lattice.height; ++k)
+    heights.push_back(lattice.coordinate(lattice.z_begin + k));
   std::size_t fluid = 0, lost = 0;
   for (int i = lattice.x_begin; i < lattice.x_end; ++i)
     for (int row = 0; row < grid.points[1]; ++row) {
@@ -220,7 +248,8 @@ FlowGrid stl_grid_from_samples(const Scene& scene, const FlowSpace& space, const
       const bool upstream = i < lattice.x_sampled;
       // Beside edges of triangles, which often lie on the grid's own planes.
       const double x = upstream ? space.straight : lattice.coordinate(i) + 1.3e-6 * lattice.spacing;
-      const std::vector<bool> inside = inside_along_z(space.walls, x, y + 1.7e-6 * lattice.spacing, heights);
+      const std::vector<bool> inside =
+          inside_along_z(space.walls, x, y + 1.7e-6 * lattice.spacing, heights);
       for (int k = 0; k < lattice.height; ++k) {
         const std::size_t at = grid.index(i - lattice.x_begin, row, k);
         grid.solid[at] = !inside[k];
@@ -234,12 +263,15 @@ FlowGrid stl_grid_from_samples(const Scene& scene, const FlowSpace& space, const
         const std::size_t from = samples.index(i - lattice.x_sampled, row, k);
         lost += !samples.found[from];
         grid.solid[at] = !samples.found[from];
-        for (int c = 0; c < 3; ++c) velocity[c] = samples.found[from] ? samples.velocity[from][c] : 0;
+        for (int c = 0; c < 3; ++c)
+          velocity[c] = samples.found[from] ? samples.velocity[from][c] : 0;
       }
     }
-  const double share = static_cast<double>(lost) / static_cast<double>(std::max<std::size_t>(fluid, 1));
+  const double share =
+      static_cast<double>(lost) / static_cast<double>(std::max<std::size_t>(fluid, 1));
   require(share <= largest_lost_share,
-          "{:.2g} % of the points between the walls have no sample (allowed {} %: the mesh does not follow "
+          "{:.2g} % of the points between the walls have no sample (allowed {} %: the mesh does "
+          "not follow "
           "the walls); refine flow.mesh_cells_per_neck",
           100 * share, 100 * largest_lost_share);
   grid.provenance["points_lost_at_walls"] = share;
@@ -260,15 +292,16 @@ FlowGrid map_flow(const fs::path& folder) {
   const Scene scene = read_scene(scene_file);
   const std::string hash = solved_hash(folder, scene);
   const FlowSpace space = flow_space(scene);
-  const FoamSamples samples = read_flow_samples(folder, space);
+  FoamSamples samples = read_flow_samples(folder, space);
+  double drop = read_pressure_drop(folder);
+  const nlohmann::json error = use_coarser_flow(folder, scene, samples, drop);
   FlowGrid grid = space.walls.empty() ? grid_from_samples(scene, space.lattice, samples)
                                       : stl_grid_from_samples(scene, space, samples);
   grid.walls = space.walls.empty() ? channel_walls(scene) : space.walls;
   grid.scene_text = scene_text;
   grid.hash = hash;
   grid.provenance.update(read_foam_logs(folder, space.copies));
-  grid.provenance["pressure_drop"] = scene.fluid.density * read_pressure_drop(folder);
-  const nlohmann::json error = mesh_error(folder, scene, samples);
+  grid.provenance["pressure_drop"] = scene.fluid.density * drop;
   if (!error.is_null()) grid.provenance["mesh_error"] = error;
   grid.provenance["grid_flux"] = grid_fluxes(grid, scene, space.lattice);
   const LookupError lookup = lookup_error(grid, neck_mean_velocity(scene));

@@ -64,6 +64,7 @@ struct Scene {
     double mean_velocity = 0;          ///< mean in the wide channel [m/s]
     std::array<double, 3> velocity{};  ///< of a uniform flow [m/s]
     double mesh_cells_per_neck = 0;    ///< cells across the full neck width [-]
+    bool extrapolate = false;          ///< towards cells of no size, from this mesh and a coarser one
     double grid_spacing = 0;           ///< of flow.h5 [m]
     double grid_tolerance = 0;         ///< error that grid_spacing was chosen for [-]; 0: none
     Lookup lookup = Lookup::nearest;

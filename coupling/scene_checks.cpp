@@ -79,6 +79,8 @@ void check_flow(const SceneDraft& draft) {
     require(flow.grid_spacing <= geometry.neck_width / 4,
             "{} (must be at most a quarter of geometry.neck_width = {})",
             draft.says("flow.grid_spacing"), metres(geometry.neck_width));
+  require(!flow.extrapolate || flow.source == FlowSource::openfoam,
+          "{} (is only for flow.source = \"openfoam\")", draft.says("flow.extrapolate"));
   require(!flow.rescale || flow.source == FlowSource::openfoam,
           "{} (is only for flow.source = \"openfoam\")", draft.says("flow.rescale"));
   if (flow.pulsation.strength > 0) {

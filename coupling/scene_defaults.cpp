@@ -46,7 +46,8 @@ void fill_geometry(SceneDraft& draft) {
   if (!draft.has("geometry.neck_length")) geometry.neck_length = width;
   if (geometry.channel_width > width && geometry.stl.empty()) need(draft, "geometry.half_angle");
   if (geometry.expansion_width > 0) {
-    if (!draft.has("geometry.expansion_length")) geometry.expansion_length = geometry.expansion_width;
+    if (!draft.has("geometry.expansion_length"))
+      geometry.expansion_length = geometry.expansion_width;
     if (!draft.has("geometry.expansion_angle")) {
       need(draft, "geometry.half_angle", "or give geometry.expansion_angle");
       geometry.expansion_angle = geometry.half_angle;
@@ -68,15 +69,18 @@ void fill_flow(SceneDraft& draft) {
     need(draft, "flow.mean_velocity", reason);
     need(draft, "fluid.viscosity", reason);
     need(draft, "fluid.density", reason);
-    if (!draft.has("flow.mesh_cells_per_neck")) flow.mesh_cells_per_neck = 52;
+    if (!draft.has("flow.mesh_cells_per_neck")) flow.mesh_cells_per_neck = 48;
+    // On very coarse meshes, and those fitted to a file, the error is no power of the cells' size.
+    if (!draft.has("flow.extrapolate"))
+      flow.extrapolate = geometry.stl.empty() && flow.mesh_cells_per_neck >= 16;
     // A whole number of layers, near 50 for each neck width.
     if (!draft.has("flow.grid_spacing")) {
       const double side = std::min(geometry.neck_width, geometry.neck_height);
-      const double wanted = flow.grid_tolerance > 0
-                                ? spacing_for_error(flow.lookup, flow.grid_tolerance, side)
-                                : 0;
-      const double layers = wanted > 0 ? std::ceil(geometry.neck_height / wanted)
-                                       : std::round(50 * geometry.neck_height / geometry.neck_width);
+      const double wanted =
+          flow.grid_tolerance > 0 ? spacing_for_error(flow.lookup, flow.grid_tolerance, side) : 0;
+      const double layers = wanted > 0
+                                ? std::ceil(geometry.neck_height / wanted)
+                                : std::round(50 * geometry.neck_height / geometry.neck_width);
       flow.grid_spacing = geometry.neck_height / std::max(1.0, layers);
     }
   }

@@ -58,7 +58,8 @@ struct Printer {
   }
   std::string operator()(const TextsSlot& slot) const {
     std::string all;
-    for (const std::string& text : slot.at(scene)) all += (all.empty() ? "" : ", ") + in_quotes(text);
+    for (const std::string& text : slot.at(scene))
+      all += (all.empty() ? "" : ", ") + in_quotes(text);
     return all.empty() ? "" : "[" + all + "]";
   }
   std::string operator()(const SeedsSlot& slot) const {
@@ -74,7 +75,7 @@ bool is_absent(const Scene& scene, std::string_view section) {
 bool decides_flow(std::string_view path) {
   return path.starts_with("geometry.") || path.starts_with("fluid.") ||
          path == "flow.mean_velocity" || path == "flow.mesh_cells_per_neck" ||
-         path == "flow.grid_spacing";
+         path == "flow.extrapolate" || path == "flow.grid_spacing";
 }
 
 }  // namespace
@@ -105,7 +106,8 @@ std::string flow_inputs(const Scene& scene) {
     if (value.empty()) continue;
     if (key.path == "geometry.stl_content") continue;
     if (key.path == "geometry.stl")
-      value = scene.geometry.stl_content.empty() ? stl_content_hash(scene) : scene.geometry.stl_content;
+      value =
+          scene.geometry.stl_content.empty() ? stl_content_hash(scene) : scene.geometry.stl_content;
     text += fmt::format("{} = {}\n", key.path, value);
   }
   return text;

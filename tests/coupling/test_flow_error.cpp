@@ -33,6 +33,20 @@ TEST(RichardsonError, IsExactForItsOrder) {
   EXPECT_NEAR(found.largest, 5e-3 * (growth - 1) / (std::sqrt(2) - 1), 1e-5);
 }
 
+// Errors e and 2^1.8 e of a quantity of order 1.8: nothing of it is left, and e is what is told.
+TEST(Extrapolation, IsExactForItsOrder) {
+  const double growth = std::pow(2, 1.8);
+  EXPECT_NEAR(1 + 1e-3 + correction(1 + 1e-3, 1 + growth * 1e-3), 1, 1e-12);
+  const float e = 1e-3f;
+  FoamSamples fine = samples(e);
+  const VelocityError told = extrapolate(fine, samples(static_cast<float>(growth) * e), 2);
+  EXPECT_NEAR(fine.velocity[0][0], 1, 1e-6);
+  EXPECT_NEAR(fine.velocity[7][0], 1, 1e-6);
+  EXPECT_EQ(fine.velocity[3][0], 1 + e) << "a point that the meshes do not share";
+  EXPECT_NEAR(told.most, 0.5e-3, 1e-6);
+  EXPECT_NEAR(told.largest, 5e-3, 1e-6);
+}
+
 TEST(RichardsonError, RefusesSamplesThatDoNotFit) {
   FoamSamples other = samples(0);
   other.points = {100, 2, 1};

@@ -92,6 +92,15 @@ TEST(FoamCaseWriter, ACheckAddsACoarserCase) {
               HasSubstr("flow.mesh_cells_per_neck = 7 (a check solves with half of them"));
 }
 
+TEST(FoamCaseWriter, AnExtrapolatedFlowHasACoarserCase) {
+  const ScratchFolder scratch;
+  const fs::path folder = scratch.path() / "case";
+  write_foam_case(flow_scene({"flow.extrapolate=true"}), folder, foam_template());
+  const Scene coarse = parse_scene(read_text_file(folder / "coarse" / "scene.toml"), "");
+  EXPECT_EQ(coarse.flow.mesh_cells_per_neck, 6);
+  EXPECT_FALSE(coarse.flow.extrapolate);
+}
+
 TEST(FoamCaseWriter, OnlyKeysOfTheFlowChangeTheHash) {
   const std::string hash = hash_of({});
   for (const char* key :
@@ -102,7 +111,7 @@ TEST(FoamCaseWriter, OnlyKeysOfTheFlowChangeTheHash) {
        {"geometry.neck_width=90 um", "geometry.neck_height=110 um", "geometry.channel_width=500 um",
         "geometry.channel_length=2 mm", "geometry.neck_length=150 um", "geometry.half_angle=45 deg",
         "flow.mean_velocity=4 mm/s", "fluid.viscosity=1e-3 Pa s", "fluid.density=1000 kg/m3",
-        "flow.mesh_cells_per_neck=20"}) {
+        "flow.mesh_cells_per_neck=20", "flow.extrapolate=true"}) {
     EXPECT_NE(hash_of({key}), hash) << key;
   }
 }

@@ -116,7 +116,8 @@ TEST(SceneRefusals, OfShapesThatAreImpossible) {
       {{"geometry.step_width=50 um", "geometry.step_length=1 mm"}, "must lie between neck_width"},
       {{"geometry.step_width=200 um"}, "needs geometry.step_length too"},
       {{"geometry.step_length=200 um"}, "needs geometry.step_width too"},
-      {{"geometry.step_width=200 um", "geometry.step_length=1 mm", "geometry.half_angle_below=30 deg"},
+      {{"geometry.step_width=200 um", "geometry.step_length=1 mm",
+        "geometry.half_angle_below=30 deg"},
        "leave out half_angle_below"},
       {{"geometry.expansion_width=90 um"}, "must exceed neck_width"},
       {{"geometry.expansion_length=90 um"}, "(needs geometry.expansion_width too)"},
@@ -143,6 +144,8 @@ TEST(SceneRefusals, OfALaboratoryThatDisagrees) {
               HasSubstr("fluid.viscosity is missing"));
   EXPECT_THAT(refused(laboratory, {"flow.source=uniform"}), HasSubstr("flow.velocity is missing"));
   EXPECT_THAT(refused(laboratory, {"flow.rescale=true"}),
+              HasSubstr("(is only for flow.source = \"openfoam\")"));
+  EXPECT_THAT(refused(laboratory, {"flow.extrapolate=true"}),
               HasSubstr("(is only for flow.source = \"openfoam\")"));
   EXPECT_THAT(refused(laboratory, {"flow.pulsation.strength=1", "flow.pulsation.time=1 s"}),
               HasSubstr("(there is no flow to pulsate)"));
