@@ -185,7 +185,7 @@ TEST(CreepingFlow, IsTheStokesSolution) {
   const fs::path folder = scratch.path() / "case";
   write_foam_case(
       read_scene(fs::path(CLOG_SOURCE_DIR) / "scenes" / "paper.toml",
-                 {"flow.mean_velocity=5 um/s", "flow.mesh_cells_per_neck=24"}),
+                 {"flow.mean_velocity=5 um/s", "flow.mesh_cells_per_neck=24", "flow.grid_spacing=4 um"}),
       folder, foam_template());
   const ShellResult run = solve(folder);
   ASSERT_EQ(run.status, 0) << run.output;
