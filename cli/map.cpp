@@ -43,8 +43,7 @@ void write_map(const MapOptions& options) {
       "rms {:.2g}, {:.2g} at 99 of 100 points, at most {:.2g} beside the edge; pressure drop "
       "{:.4g} Pa within {:.2g} %\n",
       grid.provenance["mesh_error"]["extrapolated"].get<bool>()
-          ? "extrapolated from this mesh and a coarser one; the error is at most about what that "
-            "changed"
+          ? "extrapolated from this mesh and a coarser one; error, 1.25 times what that changed"
           : "error of the mesh, estimated from a coarser one",
       percent("velocity_rms"), percent("velocity_99_percent"), percent("velocity_largest"),
       grid.provenance["pressure_drop"].get<double>(), percent("pressure_drop"));

@@ -17,6 +17,8 @@ namespace fs = std::filesystem;
 
 constexpr double coarsening = 2;
 constexpr double order = 1.5, order_at_edge = 0.5, order_of_correction = 1.8;
+constexpr double factor_of_safety = 1.25;
+constexpr double largest_correction = 0.5;  // of the velocity that it corrects
 constexpr double fewest_cells = 4;
 
 double share_of_difference(double p) { return 1 / (std::pow(coarsening, p) - 1); }
@@ -76,17 +78,26 @@ double correction(double fine, double coarse) {
   return share_of_difference(order_of_correction) * (fine - coarse);
 }
 
+double told_error(double fine, double coarse) {
+  return factor_of_safety * std::abs(correction(fine, coarse));
+}
+
 VelocityError extrapolate(FoamSamples& fine, const FoamSamples& coarse, double neck_mean) {
-  VelocityError size = difference(fine, coarse, neck_mean);
-  for (double* of : {&size.rms, &size.most, &size.largest}) *of = correction(*of, 0);
+  VelocityError told = difference(fine, coarse, neck_mean);
+  for (double* of : {&told.rms, &told.most, &told.largest}) *of = told_error(*of, 0);
   for (std::size_t i = 0; i < fine.velocity.size(); ++i) {
     if (!fine.found[i] || !coarse.found[i]) continue;
+    double added[3], square = 0, size = 0;
     for (int c = 0; c < 3; ++c) {
-      float& u = fine.velocity[i][c];
-      u = static_cast<float>(u + correction(u, coarse.velocity[i][c]));
+      added[c] = correction(fine.velocity[i][c], coarse.velocity[i][c]);
+      square += added[c] * added[c];
+      size += double{fine.velocity[i][c]} * fine.velocity[i][c];
     }
+    if (square > largest_correction * largest_correction * size) continue;
+    for (int c = 0; c < 3; ++c)
+      fine.velocity[i][c] = static_cast<float>(fine.velocity[i][c] + added[c]);
   }
-  return size;
+  return told;
 }
 
 std::optional<CoarserFlow> read_coarser_flow(const fs::path& folder, const Scene& scene) {

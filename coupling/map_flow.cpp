@@ -178,9 +178,9 @@ nlohmann::json use_coarser_flow(const fs::path& folder, const Scene& scene, Foam
   double of_drop = richardson_error(pressure_drop, coarse->pressure_drop);
   if (scene.flow.extrapolate) {
     velocity = extrapolate(samples, coarse->samples, mean);
-    const double added = correction(pressure_drop, coarse->pressure_drop);
-    pressure_drop += added;
-    of_drop = std::abs(added / pressure_drop);
+    const double told = told_error(pressure_drop, coarse->pressure_drop);
+    pressure_drop += correction(pressure_drop, coarse->pressure_drop);
+    of_drop = told / std::abs(pressure_drop);
   } else {
     velocity = richardson_error(samples, coarse->samples, mean);
   }

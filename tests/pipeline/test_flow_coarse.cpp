@@ -84,8 +84,9 @@ TEST_P(CoarseFlow, ConservesMassAndDevelops) {
   }
   EXPECT_TRUE(grid.provenance["mesh_error"]["extrapolated"]);
   EXPECT_GT(grid.provenance["grid_flux"].size(), 4u);
+  // Most where the cells are long, behind the inlet of the mesh.
   for (const auto& surface : grid.provenance["grid_flux"])
-    EXPECT_NEAR(surface["error"].get<double>(), 0, 0.02) << surface;
+    EXPECT_NEAR(surface["error"].get<double>(), 0, 0.03) << surface;
   EXPECT_LT(grid.provenance["residuals"]["p"], 1e-5);
 
   // Before the mesh the series itself; inside it what 16 and 8 cells across the neck allow, most
@@ -98,8 +99,8 @@ TEST_P(CoarseFlow, ConservesMassAndDevelops) {
   const double neck_mean = 5e-3 * g.channel_width / g.neck_width;
   EXPECT_LT(distance(grid, plane(grid, neck_start(scene) + 0.9 * g.neck_width), neck, neck_mean),
             0.14);
-  // Nowhere faster than the middle of the developed neck, nowhere backwards by more than a corner
-  // eddy of this Reynolds number: extrapolation does not overshoot.
+  // Nowhere faster than the middle of the developed neck, nowhere backwards by more than the error
+  // of these meshes in a corner: extrapolation does not overshoot.
   const Range axial = axial_velocities(grid);
   EXPECT_LT(axial.largest / neck_mean, 1.02 * neck(0, g.neck_height / 2));
   EXPECT_GT(axial.smallest / neck_mean, -0.01);
