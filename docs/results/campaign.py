@@ -12,6 +12,7 @@ from stats_files import Statistics  # noqa: E402  (found through the line above)
 
 PAPER_DIAMETERS_UM = (80, 70, 50, 40, 33, 28, 25, 22, 10)
 NECK_UM = 100
+SIZES = ("D/d", "")  # what a sweep of the sizes is called, and one size alone
 
 
 class Point:
@@ -62,8 +63,8 @@ class Campaign:
 
     def __init__(self, folder, beside=()):
         others = [Sweep(other) for other in beside]
-        self.others = [Campaign(sweep.statistics.folder) for sweep in others if sweep.key == "D/d"]
-        self.sweeps = {sweep.key: sweep for sweep in others if sweep.key != "D/d"}
+        self.others = [Campaign(sweep.statistics.folder) for sweep in others if sweep.key in SIZES]
+        self.sweeps = {sweep.key: sweep for sweep in others if sweep.key not in SIZES}
         self.statistics = Statistics(folder)
         self.trend = self.statistics.data["trend"]
         self.points = sorted((Point(self.statistics, p) for p in self.trend["points"]), key=lambda p: p.ratio)
@@ -83,7 +84,7 @@ class Campaign:
                 f"{time['contact_limit_share']:g} of what the contacts allow")
 
     def missing(self):
-        return [d for d in PAPER_DIAMETERS_UM if self.at(d) is None]
+        return [d for d in PAPER_DIAMETERS_UM if all(c.at(d) is None for c in (self, *self.others))]
 
     def with_clogs(self):
         return [p for p in self.points if p.trend["mean_burst"]["stops"] > 0]

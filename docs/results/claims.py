@@ -60,7 +60,9 @@ def continuous(campaign):
     arrests = point.trend["alpha"]
     count = arrests["ended"] + arrests["cut"]
     time = sum(r["end"] - r["start"] for r in point.group["runs"])
-    return (f"{count} lapses of tau/2 and more in {number(time)} s with {point.trend['mean_burst']['passages']} passages: "
+    length = point.group["geometry"]["channel_length"] / point.group["geometry"]["neck_width"]
+    return (f"{count} lapses of tau/2 and more in {number(time)} s with {point.trend['mean_burst']['passages']} passages "
+            f"({len(point.group['runs'])} run, channel of {number(length)} D, filled to {number(point.group['steady']['packing_fraction']['value'], 2)}): "
             f"<s> {estimate(point.trend['mean_burst'])}"), AGREES if count == 0 else DIFFERS
 
 

@@ -134,6 +134,8 @@ def other_numerics(campaign):
             spread = math.hypot(*(0.5 * math.log(m["high"] / m["low"]) for m in (a, b)))
             rows.append([number(p.ratio), estimate(a), len(o.group["runs"]), f"{b['stops']} / {b['passages']}", estimate(b),
                          f"{number(ratio)} [{number(ratio * math.exp(-spread))}, {number(ratio * math.exp(spread))}]"])
+        if not rows:
+            continue
         head = ["D/d", "<s>", "seeds there", "clogs / passages there", "<s> there", "ratio"]
         text += f"## At other numerics\n\nThere: {other.numerics()}.\n\n{table(head, rows)}\n\n"
     return text
