@@ -36,6 +36,14 @@ class Point:
         return sum(run["wall_time"] or math.nan for run in self.group["runs"]) / 3600
 
 
+def numerics(group):
+    """What a group was computed with, in words."""
+    scene = tomllib.loads(group["scene"])
+    time, modulus = scene["time"], float(scene["contact"]["youngs_modulus"].split()[0])
+    return (f"{number(1e-6 * modulus)} MPa, mass x {time['mass_scale']:g}, moment of inertia x {time['rotational_inertia_scale']:g}, a step of "
+            f"{time['contact_limit_share']:g} of what the contacts allow")
+
+
 class Sweep:
     """<s> along another key, at one size."""
 
@@ -74,14 +82,6 @@ class Campaign:
         """The point of a diameter, or None when it was not run."""
         ratio = NECK_UM / diameter_um
         return next((p for p in self.points if abs(p.ratio - ratio) < 0.01 * ratio), None)
-
-    def numerics(self):
-        """What the first size was computed with, in words."""
-        scene = tomllib.loads(self.points[0].group["scene"])
-        modulus = float(scene["contact"]["youngs_modulus"].split()[0])
-        time = scene["time"]
-        return (f"{number(1e-6 * modulus)} MPa, mass x {time['mass_scale']:g}, moment of inertia x {time['rotational_inertia_scale']:g}, a step of "
-                f"{time['contact_limit_share']:g} of what the contacts allow")
 
     def missing(self):
         return [d for d in PAPER_DIAMETERS_UM if all(c.at(d) is None for c in (self, *self.others))]

@@ -7,7 +7,7 @@ from pathlib import Path
 from string import Template
 
 import claims
-from campaign import Campaign, estimate, number, table
+from campaign import Campaign, estimate, number, numerics, table
 
 import fig_bursts  # from postprocess/figures, which campaign.py put on the path
 import fig_lapses
@@ -110,7 +110,7 @@ def other_sweep(sweep):
             for value, point, group in zip(sweep.values(), sweep.points, sweep.groups)]
     head = [f"`{sweep.key}`", "seeds", "clogs / passages", "<s>", "passages per second of flow", "arrests that outlast 5 tau"]
     fit = sweep.trend["series"][0]["mean_burst"]
-    return (f"### `{sweep.key}` at D/d = {number(sweep.ratio)}\n\n{table(head, rows)}\n\n![<s> along the sweep](results/{name})\n\n"
+    return (f"### `{sweep.key}` at D/d = {number(sweep.ratio)}\n\n{numerics(sweep.groups[0])}.\n\n{table(head, rows)}\n\n![<s> along the sweep](results/{name})\n\n"
             f"{law(fit)}\n\n")
 
 
@@ -137,7 +137,7 @@ def other_numerics(campaign):
         if not rows:
             continue
         head = ["D/d", "<s>", "seeds there", "clogs / passages there", "<s> there", "ratio"]
-        text += f"## At other numerics\n\nThere: {other.numerics()}.\n\n{table(head, rows)}\n\n"
+        text += f"## At other numerics\n\nThere: {numerics(other.points[0].group)}.\n\n{table(head, rows)}\n\n"
     return text
 
 
@@ -168,7 +168,7 @@ def main():
         summary=summary(campaign), missing=missing(campaign), points=points(campaign), law=law(fit) + rivals(fit), memory=memory(campaign),
         claims=table(head, claims.rows(campaign)), trends=table(head, claims.trend_rows(campaign)),
         sweeps=other_numerics(campaign) + other_sweeps(campaign),
-        numerics=campaign.numerics(),
+        numerics=numerics(campaign.points[0].group),
         arguments=" ".join(["campaign", *(["SWEEP ..."] if count > 1 else [])]), not_covered=not_covered(campaign))
     (HERE.parent / "results.md").write_text(page.rstrip("\n") + "\n", encoding="utf-8")
 
