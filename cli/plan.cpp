@@ -10,6 +10,7 @@
 #include "coupling/flow_grid.hpp"
 #include "coupling/flow_reach.hpp"
 #include "coupling/flow_rescale.hpp"
+#include "coupling/require.hpp"
 #include "dem/machine_speed.hpp"
 #include "dem/plan.hpp"
 #include "trade/fidelity.hpp"
@@ -36,6 +37,8 @@ std::string share_of(const PlannedTerm& term) {
 }
 
 void print_flow(const Scene& scene, const Plan& plan, const std::filesystem::path& file) {
+  require(file.empty() || scene.flow.source == FlowSource::openfoam,
+          "flow.source is not \"openfoam\", so {} would not be used: leave out --flow", file.string());
   if (plan.grid_reach == 0) return;
   fmt::print("\nflow: from {:.3g} m upstream of the narrowing the developed duct profile is exact to {:.2g} % of the "
              "mean velocity (expected)\n",

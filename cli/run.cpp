@@ -6,6 +6,7 @@
 #include <csignal>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -37,9 +38,13 @@ std::atomic<bool> stop_asked = false;
 /// Time for rank 0 to say what all ranks would say, and to be ended by the launcher for it.
 constexpr std::chrono::seconds rank_0_speaks_within{5};
 
+/// Some 30 years; a timer counts whole seconds, and not every number is one [s].
+constexpr double longest_time_limit = 1e9;
+
 struct RunOptions {
   std::filesystem::path scene, flow, out;
-  std::string seeds, tolerance, time_limit, until;
+  std::optional<std::string> seeds;
+  std::string tolerance, time_limit, until;
   Overrides overrides;
   std::vector<std::string> sweeps;
 };
@@ -56,7 +61,11 @@ struct Prepared {
 /// The flow as this scene wants it; `file` as it was read, shared by the points that want it so.
 std::shared_ptr<const FlowGrid> flow_for(Prepared& prepared, const RunOptions& options,
                                          std::shared_ptr<const FlowGrid>& file) {
-  if (prepared.scene.flow.source != FlowSource::openfoam) return {};
+  if (prepared.scene.flow.source != FlowSource::openfoam) {
+    require(options.flow.empty(), "{}: flow.source is not \"openfoam\", so {} would not be used: leave out --flow",
+            options.scene.string(), options.flow.string());
+    return {};
+  }
   require(!options.flow.empty(),
           "{}: flow.source = \"openfoam\" needs the flow: give --flow flow.h5 (clog case, its "
           "Allrun and clog map make it)",
@@ -76,7 +85,7 @@ Prepared prepare(const RunOptions& options, const SweepPoint& point, std::shared
   overrides.insert(overrides.end(), point.overrides.begin(), point.overrides.end());
   auto [scene, fidelity] = trade::read_resolved_scene(options.scene, overrides);
   Prepared prepared{point, std::move(scene), {}, fidelity};
-  if (!options.seeds.empty()) prepared.scene.ensemble.seeds = parse_seeds(options.seeds);
+  if (options.seeds) prepared.scene.ensemble.seeds = parse_seeds(*options.seeds);
   prepared.flow = flow_for(prepared, options, file);
   // What is wrong with the scene is wrong for every seed: say it once, before any run begins.
   const std::vector<Particle> initial = read_initial_particles(prepared.scene);
@@ -120,8 +129,8 @@ auto on_every_rank(const Launch& launch, const Work& work) {
 /// From now on; asks to stop like a signal of the user.
 void stop_after(const std::string& limit) {
   const Quantity quantity = parse_quantity(limit);
-  require(quantity.dimension == dimension::time && quantity.si > 0,
-          "--time-limit {} (must be a positive time such as '55 min')", limit);
+  require(quantity.dimension == dimension::time && quantity.si > 0 && quantity.si < longest_time_limit,
+          "--time-limit {} (must be a positive time below {:.0g} s, such as '55 min')", limit, longest_time_limit);
   itimerval timer{};
   timer.it_value.tv_sec = static_cast<time_t>(quantity.si);
   timer.it_value.tv_usec = static_cast<suseconds_t>(1e6 * (quantity.si - std::floor(quantity.si)));

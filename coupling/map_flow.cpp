@@ -11,6 +11,7 @@
 #include "coupling/content_hash.hpp"
 #include "coupling/duct_flow.hpp"
 #include "coupling/flow_error.hpp"
+#include "coupling/flow_flux.hpp"
 #include "coupling/flow_mesh.hpp"
 #include "coupling/foam_log.hpp"
 #include "coupling/lookup_error.hpp"
@@ -22,11 +23,6 @@ namespace clog {
 namespace {
 
 namespace fs = std::filesystem;
-
-// A plane of the grid may differ this much from the flow rate of the scene. Linear interpolation
-// between cells flattens the profile: 0.2 % with 48 cells across the neck, 2 % with 16. More is a
-// mistake.
-constexpr double flux_tolerance = 0.1;
 
 // Flat cells cut the corners of curved walls: points there have no sample and count as solid.
 constexpr double largest_lost_share = 0.02;
@@ -123,21 +119,10 @@ private:
   DuctFlow duct_;
 };
 
-// Flux of the grid at a few planes against the flow rate of the scene.
-nlohmann::json grid_fluxes(const FlowGrid& grid, const Scene& scene, const FlowLattice& lattice) {
-  const auto& g = scene.geometry;
-  const double rate = scene.flow.mean_velocity * g.channel_width * g.neck_height;
-  const double bend = -narrowing_length(scene);
-  nlohmann::json planes = nlohmann::json::array();
-  for (const double x : {lattice.coordinate(lattice.x_sampled), bend - g.neck_width, bend, bend / 2,
-                         0.0, g.neck_length / 2, g.neck_length, channel_end(scene)}) {
-    const int i = static_cast<int>(std::lround((x - grid.origin.x()) / grid.spacing));
-    if (i < 0 || i >= grid.points[0]) continue;
-    const double flux = grid_flux(grid, i);
-    planes.push_back(
-        {{"x", grid.origin.x() + i * grid.spacing}, {"flux", flux}, {"error", flux / rate - 1}});
-  }
-  return planes;
+nlohmann::json as_json(const std::vector<PlaneFlux>& planes) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const PlaneFlux& plane : planes) list.push_back({{"x", plane.x}, {"flux", plane.flux}, {"error", plane.error}});
+  return list;
 }
 
 std::string utc_now() {
@@ -193,14 +178,6 @@ nlohmann::json use_coarser_flow(const fs::path& folder, const Scene& scene, Foam
 }
 
 }  // namespace
-
-double grid_flux(const FlowGrid& grid, int i) {
-  double sum = 0;
-  for (int k = 0; k < grid.points[2]; ++k) {
-    for (int j = 0; j < grid.points[1]; ++j) sum += grid.velocity[3 * grid.index(i, j, k)];
-  }
-  return sum * grid.spacing * grid.spacing;
-}
 
 LookupError lookup_error(const FlowGrid& grid, double speed) {
   const auto [nx, ny, nz] = grid.points;
@@ -303,7 +280,8 @@ FlowGrid map_flow(const fs::path& folder) {
   grid.provenance.update(read_foam_logs(folder, space.copies));
   grid.provenance["pressure_drop"] = scene.fluid.density * drop;
   if (!error.is_null()) grid.provenance["mesh_error"] = error;
-  grid.provenance["grid_flux"] = grid_fluxes(grid, scene, space.lattice);
+  const auto planes = grid_fluxes(grid, scene, space.lattice.coordinate(space.lattice.x_sampled));
+  grid.provenance["grid_flux"] = as_json(planes);
   const LookupError lookup = lookup_error(grid, neck_mean_velocity(scene));
   const double side = std::min(scene.geometry.neck_width, scene.geometry.neck_height);
   grid.provenance["lookup_error"] = {
@@ -312,14 +290,11 @@ FlowGrid map_flow(const fs::path& folder) {
       {"trilinear_in_neck", neck_lookup_error(Lookup::trilinear, grid.spacing, side)},
       {"nearest_in_neck", neck_lookup_error(Lookup::nearest, grid.spacing, side)}};
   grid.provenance["date"] = utc_now();
-  for (const auto& plane : grid.provenance["grid_flux"]) {
-    const double error = plane["error"];
-    require(std::abs(error) < flux_tolerance,
+  for (const PlaneFlux& plane : planes)
+    require(std::abs(plane.error) < flux_tolerance,
             "the flux through x = {} m differs by {:.1f} % from that of the scene (allowed {} %); "
-            "refine "
-            "flow.mesh_cells_per_neck or flow.grid_spacing",
-            plane["x"].get<double>(), 100 * error, 100 * flux_tolerance);
-  }
+            "refine flow.mesh_cells_per_neck or flow.grid_spacing",
+            plane.x, 100 * plane.error, 100 * flux_tolerance);
   return grid;
 }
 

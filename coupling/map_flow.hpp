@@ -36,7 +36,4 @@ struct LookupError {
 };
 LookupError lookup_error(const FlowGrid& grid, double speed);
 
-/// Volume flux through the plane x = origin + i spacing of the grid by the midpoint rule [m3/s].
-double grid_flux(const FlowGrid& grid, int i);
-
 }  // namespace clog

@@ -15,6 +15,8 @@ constexpr Range any{};
 constexpr Range positive{.low = 0, .low_allowed = false};
 constexpr Range non_negative{.low = 0};
 constexpr Range fraction{.low = 0, .high = 1, .low_allowed = false};
+// Its dashpot grows like e^(-1/2) and limits the step; 0.001 is as good as none.
+constexpr Range restitution{.low = 1e-3, .high = 1};
 
 // A member of Scene is named as its key, so one spelling serves as both.
 #define AT(member) \
@@ -91,7 +93,7 @@ std::vector<Key> make_keys() {
 
       NUMBER(contact.youngs_modulus, pressure, positive, "of the particles"),
       NUMBER(contact.poisson_ratio, number, (Range{.low = 0, .high = 0.5, .high_allowed = false}), "of the particles"),
-      NUMBER(contact.restitution, number, fraction, "speed after over before a dry head-on impact; default 0.7"),
+      NUMBER(contact.restitution, number, restitution, "speed after over before a dry head-on impact; default 0.7"),
       NUMBER(contact.tangential_factor, number, positive, "on the Mindlin stiffness; default 2/3"),
       NUMBER(contact.tangential_damping, number, non_negative, "sliding, rolling and torsion damping over the normal one; default 1"),
       WORD(contact.torsion_update, "how the torsion spring is advanced; doubling is an experiment", "objective", "doubling"),

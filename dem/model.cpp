@@ -5,6 +5,7 @@
 
 #include "coupling/channel_geometry.hpp"
 #include "coupling/channel_shape.hpp"
+#include "coupling/flow_flux.hpp"
 #include "coupling/flow_rescale.hpp"
 #include "coupling/require.hpp"
 #include "coupling/stl.hpp"
@@ -109,6 +110,8 @@ Walls file_walls(const std::string& file, double unit, std::string& note) {
   return walls;
 }
 
+bool is_channel(const Scene& s) { return s.geometry.present && (s.geometry.stl.empty() || is_stl_channel(s)); }
+
 /// Walls and limits: the box of a laboratory, the file's walls, or the channel (of keys or of a file) with a
 /// closed left end, so that no particle leaves against the flow.
 void build_walls(Model& model, const FlowGrid* flow) {
@@ -118,7 +121,7 @@ void build_walls(Model& model, const FlowGrid* flow) {
     enclose(model.domain, model.walls);
   }
   if (!s.geometry.present) return;
-  if (s.geometry.stl.empty() || is_stl_channel(s)) {
+  if (is_channel(s)) {
     const Walls channel = flow ? flow->walls : is_stl_channel(s) ? read_stl_channel(s).walls : channel_walls(s);
     model.walls.insert(model.walls.end(), channel.begin(), channel.end());
     const Walls end = cross_wall(channel_start(s), s.geometry.channel_width, s.geometry.neck_height, 1);
@@ -207,7 +210,11 @@ Particle Model::particle(double radius) const {
 Model make_model(const Scene& scene, const FlowGrid* flow, const std::vector<Particle>& initial) {
   refuse_unresolved(scene);
   check_count(scene);
-  if (flow) check_flow_belongs(scene, *flow);
+  if (flow) {
+    require(scene.flow.source == FlowSource::openfoam, "flow.source is not \"openfoam\", so a flow file is of no use: leave it out");
+    check_flow_belongs(scene, *flow);
+    if (is_channel(scene)) check_flow_fits(*flow, scene);
+  }
   Model model;
   model.scene = scene;
   const auto& c = scene.contact;

@@ -224,7 +224,7 @@ void Simulation::advance() {
   const AdvanceTask task = advance_task();
   kick_ = task.kick;
   const AdvanceTally tally = kernels_.advance(task);
-  if (particles_.size() > 0 && !(tally.largest_speed < task.thrown)) blow_up("thrown");
+  if (particles_.size() > 0 && !(tally.largest_speed < task.thrown)) blow_up("thrown", fastest());
   loads_used_ = false;
   way_ = tally.largest_speed * model_.dt;
   drifted_ += way_;

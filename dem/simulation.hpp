@@ -110,7 +110,9 @@ private:
   void look_at_limit();  ///< \throws Error if the run begins above it
   void look_for_shaking();  ///< whether the pack moves between whole steps but not at them
   void check_overlap() const;  ///< \throws Error if contacts are pressed too deep
-  [[noreturn]] void blow_up(const char* cause) const;
+  int fastest() const;  ///< the fastest particle, or the first whose velocity is no number
+  int deepest() const;  ///< a particle of the deepest contact
+  [[noreturn]] void blow_up(const char* cause, int particle) const;
   void add_pair(NetworkLimit& network, int i, int j) const;
   std::vector<Film> films() const;
   AdvanceTask advance_task();

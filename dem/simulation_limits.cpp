@@ -99,7 +99,7 @@ void Simulation::watch_step() {
   look_at_limit();
   look_for_shaking();
   const double stored = kinetic_energy() + elastic_energy();
-  if (step_watch_.appeared(stored, drag_work_ + body_work_ + energy_in_)) blow_up("energy from nothing");
+  if (step_watch_.appeared(stored, drag_work_ + body_work_ + energy_in_)) blow_up("energy from nothing", fastest());
 }
 
 void Simulation::look_at_limit() {
@@ -162,10 +162,10 @@ double Simulation::kinetic_energy() const {
 void Simulation::check_overlap() const {
   if (particles_.size() == 0) return;
   const double overlap = std::max(pair_tally_.largest_overlap, wall_tally_.largest_overlap);
-  if (!(overlap <= deepest_overlap * 2 * neighbours_.smallest_radius)) blow_up("pressed too deep");
+  if (!(overlap <= deepest_overlap * 2 * neighbours_.smallest_radius)) blow_up("pressed too deep", deepest());
 }
 
-void Simulation::blow_up(const char* cause) const {
+int Simulation::fastest() const {
   const auto& p = particles_;
   int worst = 0;
   double fastest = -1;
@@ -177,12 +177,36 @@ void Simulation::blow_up(const char* cause) const {
     fastest = speed;
     if (std::isnan(speed)) break;
   }
+  return worst;
+}
+
+int Simulation::deepest() const {
+  const auto& p = particles_;
+  int worst = 0;
+  double deepest = 0;
+  const auto look = [&](int i, double overlap) {
+    if (!(overlap <= deepest)) worst = i, deepest = overlap;
+  };
+  const ContactSet& pairs = neighbours_.contacts;
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const int i = pairs.first(k), j = pairs.second(k);
+    const Vector<double> between = apart(p, i, j);
+    look(i, p[i].radius + p[j].radius - std::sqrt(dot(between, between)));
+  }
+  if (!walls_.empty())
+    for (const auto& touch : walls_.touches(p)) look(touch.particle, touch.overlap);
+  return worst;
+}
+
+void Simulation::blow_up(const char* cause, int particle) const {
+  const ParticleState& worst = particles_[particle];
   throw Error(fmt::format(
       "blow-up at step {} (t = {:.6g} s), {}: particle {} at ({:.4g}, {:.4g}, {:.4g}) m moves at "
       "{:.3g} m/s under a force of {:.3g} N, largest overlap {:.3g} m; lower time.step_fraction or raise "
       "contact.youngs_modulus",
-      step_, time(), cause, p.id[worst], p[worst].x, p[worst].y, p[worst].z, fastest,
-      Vec3(p[worst].fx, p[worst].fy, p[worst].fz).norm(),
+      step_, time(), cause, particles_.id[particle], worst.x, worst.y, worst.z,
+      std::sqrt(worst.vx * worst.vx + worst.vy * worst.vy + worst.vz * worst.vz),
+      Vec3(worst.fx, worst.fy, worst.fz).norm(),
       std::max(pair_tally_.largest_overlap, wall_tally_.largest_overlap)));
 }
 

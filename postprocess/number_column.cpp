@@ -12,6 +12,9 @@
 namespace clog::postprocess {
 namespace {
 
+/// A device or a binary file may have no line ends at all.
+constexpr std::size_t longest_line = 65536;
+
 std::string_view without_comment_and_blanks(std::string_view line) {
   constexpr std::string_view blanks = " \t\r\v\f";
   line = line.substr(0, line.find('#'));
@@ -27,9 +30,15 @@ std::vector<double> read_number_column(const std::filesystem::path& file) {
   require(in.is_open() && !std::filesystem::is_directory(file), "{}: cannot be read",
           file.string());
   std::vector<double> values;
-  std::string line;
-  for (std::size_t number = 1; std::getline(in, line); ++number) {
-    const auto text = without_comment_and_blanks(line);
+  std::vector<char> line(longest_line + 1);
+  for (std::size_t number = 1;; ++number) {
+    in.getline(line.data(), static_cast<std::streamsize>(line.size()));
+    if (in.eof() && in.gcount() == 0) break;
+    require(!in.fail() || in.bad(), "{}:{}: is longer than {} bytes (one number a line)", file.string(), number,
+            longest_line);
+    if (in.bad()) break;
+    const auto length = static_cast<std::size_t>(in.gcount()) - (in.eof() ? 0 : 1);
+    const auto text = without_comment_and_blanks({line.data(), length});
     if (text.empty()) continue;
     const auto digits = text.front() == '+' ? text.substr(1) : text;
     double value = 0;

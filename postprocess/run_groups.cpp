@@ -124,7 +124,7 @@ std::vector<RunGroup> gather(const std::vector<fs::path>& folders,
   std::set<fs::path> seen;
   for (const auto& folder : folders) {
     for (const auto& file : find_run_files(folder)) {
-      if (seen.insert(fs::canonical(file)).second) gatherer.add(file);
+      if (seen.insert(fs::weakly_canonical(file)).second) gatherer.add(file);
     }
   }
   auto groups = std::move(gatherer).result();

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include "coupling/flow_flux.hpp"
 #include "coupling/flow_mesh.hpp"
 #include "coupling/map_flow.hpp"
 #include "coupling/text_file.hpp"

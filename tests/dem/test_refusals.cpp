@@ -22,6 +22,14 @@ TEST(BlowUp, NamesStepParticleForceAndKnob) {
                     HasSubstr("lower time.step_fraction or raise contact.youngs_modulus")));
 }
 
+TEST(BlowUp, NamesTheParticleThatIsDeepest) {
+  Laboratory lab(laboratory_scene({3e9, 0.35, 1062, 33e-6}, 1e-9), {{.radius = 16.5e-6, .x = 1e-3, .vx = 0.1},
+                                                                    {.radius = 16.5e-6},
+                                                                    {.radius = 16.5e-6, .x = 5e-6}});
+  EXPECT_THAT(refusal([&] { lab.step(); }),
+              AllOf(HasSubstr("pressed too deep: particle 1 at (0, 0, 0) m"), HasSubstr("largest overlap 2.8e-05 m")));
+}
+
 TEST(BlowUp, IsSeenInTheStepOfTheFirstNaN) {
   Laboratory lab(laboratory_scene({3e6, 0.35, 1062, 33e-6}, 1e-7), std::vector<Particle>(11, {.radius = 16.5e-6}));
   for (int k = 0; k < 11; ++k) lab->particles()[k].x = 1e-3 * k;

@@ -17,7 +17,7 @@ clog_tests(test_dem_parts
   LIBRARIES clog_dem LABELS unit)
 clog_tests(test_channel_parts
   SOURCES dem/test_inlet.cpp dem/test_refusals.cpp dem/test_shaking.cpp dem/test_step_limit.cpp
-          dem/test_model_refusals.cpp dem/test_plan.cpp dem/test_stl_scene.cpp
+          dem/test_model_refusals.cpp dem/test_plan.cpp dem/test_stl_scene.cpp dem/test_flow_fit.cpp
   LIBRARIES clog_dem LABELS unit)
 clog_tests(test_channel_runs
   SOURCES dem/test_channel_runs.cpp dem/test_full_inlet.cpp

@@ -152,6 +152,34 @@ TEST(Flow, OfAnotherGeometryOrWithNaN) {
   EXPECT_THAT(other.said(), HasSubstr("neck_width"));
 }
 
+TEST(Flow, OfZeros) {
+  SmallJob job;
+  job.flow.velocity.assign(job.flow.velocity.size(), 0.0f);
+  write_flow_grid(job.flow, job.path("flow.h5"));
+  const Program program = job.start("out", "1");
+  EXPECT_EQ(program.wait(), 1);
+  EXPECT_THAT(program.said(), HasSubstr("the flow file carries 0 m3/s through x = "));
+  EXPECT_EQ(lines(program.said()), 1) << program.said();
+  EXPECT_FALSE(std::filesystem::exists(job.path("out")));
+}
+
+TEST(Flow, WhereNoneIsUsed) {
+  const SmallJob job;
+  write_file(job.path("scene.toml"), effective_scene(laboratory_scene({1e6, 0.3, 1000, 0.1}, 0.01)));
+  const Program program = job.start("out", "1");
+  EXPECT_EQ(program.wait(), 1);
+  EXPECT_THAT(program.said(), HasSubstr("flow.h5 would not be used: leave out --flow"));
+  EXPECT_EQ(lines(program.said()), 1) << program.said();
+}
+
+TEST(Seeds, NoneNamed) {
+  const SmallJob job;
+  const Program program = job.start("out", "");
+  EXPECT_EQ(program.wait(), 1);
+  EXPECT_EQ(lines(program.said()), 1) << program.said();
+  EXPECT_FALSE(std::filesystem::exists(job.path("out")));
+}
+
 TEST(Directory, VanishingDuringTheRunIsSaid) {
   const SmallJob job(longer);
   const Program program = job.start("out", "1");

@@ -9,6 +9,7 @@
 #include "coupling/channel_shape.hpp"
 #include "coupling/duct_flow.hpp"
 #include "coupling/foam_case_writer.hpp"
+#include "coupling/flow_flux.hpp"
 #include "coupling/map_flow.hpp"
 #include "coupling/text_file.hpp"
 #include "tests/coupling/flow_scene.hpp"
@@ -74,6 +75,7 @@ TEST_P(CoarseFlow, ConservesMassAndDevelops) {
   const ShellResult run = solve(folder);
   ASSERT_EQ(run.status, 0) << run.output;
   const FlowGrid grid = map_flow(folder);
+  check_flow_fits(grid, scene);
 
   const auto& g = scene.geometry;
   const double rate = 5e-3 * g.channel_width * g.neck_height;

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "coupling/foam_case_writer.hpp"
+#include "coupling/flow_flux.hpp"
 #include "coupling/map_flow.hpp"
 #include "coupling/stl_channel.hpp"
 #include "tests/coupling/flow_scene.hpp"
@@ -19,7 +20,9 @@ FlowGrid solved(const Scene& scene, const fs::path& folder) {
   write_foam_case(scene, folder, foam_template());
   const ShellResult run = solve(folder);
   EXPECT_EQ(run.status, 0) << run.output;
-  return map_flow(folder);
+  FlowGrid grid = map_flow(folder);
+  check_flow_fits(grid, scene);
+  return grid;
 }
 
 // The flow keeps its rate through every plane of the mesh, and is its own mirror image.

@@ -25,6 +25,15 @@ TEST(NumberColumn, comments_blanks_and_forms_of_a_number) {
               ElementsAre(1.5, 2e-3, -4, 0.5));
 }
 
+// /dev/zero has neither a line end nor an end.
+TEST(NumberColumn, a_line_without_end_is_refused) {
+  EXPECT_THAT(refusal([] { read_number_column("/dev/zero"); }),
+              EndsWith("/dev/zero:1: is longer than 65536 bytes (one number a line)"));
+  EXPECT_THAT(refusal([] { read_number_column(column(("1\n" + std::string(65537, '2')).c_str())); }),
+              HasSubstr("clog_column.txt:2: is longer than"));
+  EXPECT_THAT(read_number_column(column(std::string(65536, ' ').replace(0, 1, "3").c_str())), ElementsAre(3));
+}
+
 TEST(NumberColumn, refusals_name_file_and_line) {
   EXPECT_THAT(refusal([] { read_number_column(column("1\n# x\n2 3\n")); }),
               HasSubstr("clog_column.txt:3: '2 3' is not a number (one finite number a line)"));

@@ -73,6 +73,15 @@ TEST(Stats, from_runs_to_report) {
   EXPECT_TRUE(std::filesystem::exists(out / "direct" / "stats.json"));
 }
 
+TEST(Stats, a_link_that_leads_nowhere_is_named) {
+  const std::filesystem::path folder = temporary("dangling");
+  std::filesystem::create_directories(folder);
+  std::filesystem::create_symlink("nowhere.h5", folder / "run_0001.h5");
+  const auto refused = clog({"stats", folder, "--out", temporary("stats")});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_EQ(refused.output, "clog: " + (folder / "run_0001.h5").string() + " (no such file)\n");
+}
+
 TEST(Stats, threshold_needs_a_time) {
   const auto refused = clog({"stats", ".", "--out", "x", "--threshold", "3 m"});
   EXPECT_EQ(refused.status, 1);
