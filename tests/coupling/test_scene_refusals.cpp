@@ -24,7 +24,7 @@ std::string with(const std::string& from, const std::string& to) {
 
 TEST(SceneRefusals, NameFileAndLine) {
   EXPECT_EQ(refused(with("restitution = 0.7", "restitution = 1.3")),
-            "scenes/x.toml:15: contact.restitution = 1.3 (must be in (0, 1])");
+            "scenes/x.toml:15: contact.restitution = 1.3 (must be in [0.001, 1])");
   EXPECT_EQ(refused(with("restitution", "resitution")),
             "scenes/x.toml:15: contact.resitution = 0.7 (unknown key; the nearest known key is "
             "contact.restitution)");
@@ -47,8 +47,9 @@ struct Case {
 
 TEST(SceneRefusals, OfSingleValues) {
   const Case cases[] = {
+      {"contact.restitution=1e-300", "(must be in [0.001, 1])"},
       {"contact.restitution=1.3",
-       "--set contact.restitution=1.3: contact.restitution = 1.3 (must be in (0, 1])"},
+       "--set contact.restitution=1.3: contact.restitution = 1.3 (must be in [0.001, 1])"},
       {"contact.restitution=\"0.6\"", "(must be a pure number, written without quotes"},
       {"contact.restitution=nan", "(must be a finite number)"},
       {"contact.restitution=true", "(must be a pure number"},
