@@ -6,7 +6,8 @@
 
 #include "coupling/flow_flux.hpp"
 #include "coupling/flow_mesh.hpp"
-#include "coupling/map_flow.hpp"
+#include "coupling/grid_from_samples.hpp"
+#include "coupling/lookup_error.hpp"
 #include "coupling/text_file.hpp"
 #include "tests/coupling/flow_scene.hpp"
 #include "tests/coupling/refusal.hpp"

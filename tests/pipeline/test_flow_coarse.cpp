@@ -10,6 +10,7 @@
 #include "coupling/duct_flow.hpp"
 #include "coupling/foam_case_writer.hpp"
 #include "coupling/flow_flux.hpp"
+#include "coupling/foam_samples.hpp"
 #include "coupling/map_flow.hpp"
 #include "coupling/text_file.hpp"
 #include "tests/coupling/flow_scene.hpp"
