@@ -125,5 +125,33 @@ TEST_F(States, OfAnotherSceneSeedOrFlowIsNotUsed) {
   EXPECT_THAT(done.said(), HasSubstr("was made with another flow, or other files of particles or walls"));
 }
 
+/// The line of the blow-up; what else is said may differ from call to call.
+std::string blow_up_in(const std::string& said) {
+  const std::size_t from = said.find("blow-up at step ");
+  return from == std::string::npos ? "" : said.substr(from, said.find('\n', from) - from);
+}
+
+TEST(BlowUp, KeepsTheStateBeforeAndHappensAgainInTheSameStep) {
+  // 82.5 m/s are half a radius in a step; 400 m/s2 get there in two million steps.
+  const ScratchFolder folder;
+  Scene scene = laboratory_scene({3e6, 0.35, 1062, 33e-6}, 1e-7);
+  scene.particles.initial = folder.path() / "sphere.csv";
+  scene.body_force = {400 * 1062 * M_PI / 6 * std::pow(33e-6, 3), 0, 0};
+  scene.output.checkpoint_interval = 0.02;
+  write_file(scene.particles.initial, "x,y,z,radius,vx,vy,vz,wx,wy,wz\n0,0,0,16.5e-6,0,0,0,0,0,0\n");
+  write_file(folder.path() / "scene.toml", effective_scene(scene));
+  const auto run = [&] {
+    const Program program({"run", folder.path() / "scene.toml", "--out", folder.path() / "out"}, folder.path() / "log");
+    EXPECT_EQ(program.wait(), 1);
+    return blow_up_in(program.said());
+  };
+  const std::string first = run();
+  EXPECT_THAT(first, testing::AllOf(HasSubstr("blow-up at step 20625"), HasSubstr("thrown: particle 0 at (8.5"),
+                                    HasSubstr("lower time.step_fraction")));
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "out/run_0001.state"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "out/run_0001.h5"));
+  EXPECT_EQ(run(), first);
+}
+
 }  // namespace
 }  // namespace clog::test
