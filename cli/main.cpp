@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <exception>
 
+#include "cli/output.hpp"
 #include "cli/verbs.hpp"
 #include "coupling/require.hpp"
 
@@ -25,12 +26,14 @@ int main(int argc, char** argv) {
   clog::cli::add_info(app);
   try {
     app.parse(argc, argv);
+    clog::require(std::fflush(stdout) == 0 && !std::ferror(stdout),
+                  "standard output cannot be written (disk full?): what was said is lost, files are not");
     return 0;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   } catch (const std::exception& error) {
     // An empty text: another rank of the same job has said it.
-    if (*error.what()) fmt::print(stderr, "clog: {}\n", error.what());
+    if (*error.what()) clog::cli::put(stderr, fmt::format("clog: {}\n", error.what()));
     return 1;
   }
 }

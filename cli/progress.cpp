@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "cli/output.hpp"
+
 namespace clog::cli {
 
 namespace {
@@ -28,20 +30,18 @@ void ProgressLine::show(const Progress& now) {
   last_time_ = Clock::now();
   drawn_ = true;
   if (now.filling) {
-    fmt::print(stderr, "\r\033[Kfilling {:7.2f} ms  {:5d} particles  {:.3g} particle-steps/s",
-               -1e3 * now.time, now.particles, rate_);
+    put(stderr, fmt::format("\r\033[Kfilling {:7.2f} ms  {:5d} particles  {:.3g} particle-steps/s", -1e3 * now.time,
+                            now.particles, rate_));
   } else {
     const double share = now.time / now.end;
-    fmt::print(stderr,
-               "\r\033[K{:8.2f} ms  {:3.0f} %  {:.3g} particle-steps/s  {} passages  {}  {:.0f} s left",
-               1e3 * now.time, 100 * share, rate_, now.passages,
-               now.clogged ? "clogged" : "flowing", share_rate_ > 0 ? (1 - share) / share_rate_ : 0.0);
+    put(stderr, fmt::format("\r\033[K{:8.2f} ms  {:3.0f} %  {:.3g} particle-steps/s  {} passages  {}  {:.0f} s left",
+                            1e3 * now.time, 100 * share, rate_, now.passages, now.clogged ? "clogged" : "flowing",
+                            share_rate_ > 0 ? (1 - share) / share_rate_ : 0.0));
   }
-  std::fflush(stderr);
 }
 
 void ProgressLine::clear() {
-  if (drawn_) fmt::print(stderr, "\r\033[K");
+  if (drawn_) put(stderr, "\r\033[K");
   drawn_ = false;
 }
 

@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 
 #include "cli/enough_seeds.hpp"
+#include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/verbs.hpp"
 #include "coupling/flow_rescale.hpp"
@@ -140,9 +141,8 @@ void stop_after(const std::string& limit) {
 
 void say(const SeedReport& report) {
   const bool aside = report.failed || report.note;
-  fmt::print(aside ? stderr : stdout, "{}{}seed {}: {}\n", aside ? "clog: " : "",
-             report.point.empty() ? "" : report.point + ", ", report.seed, report.line);
-  std::fflush(stdout);
+  put(aside ? stderr : stdout, fmt::format("{}{}seed {}: {}\n", aside ? "clog: " : "",
+                                           report.point.empty() ? "" : report.point + ", ", report.seed, report.line));
 }
 
 EnsembleCall call_for(const std::vector<Prepared>& points, const RunOptions& options, const Launch& launch) {

@@ -32,9 +32,10 @@ void locate(const SceneDraft& draft, const std::filesystem::path& folder,
 
 Scene read_scene(const std::filesystem::path& file, const Overrides& overrides) {
   require(std::filesystem::exists(file), "{} (no such scene file)", file.string());
+  // Asked first: to open a pipe waits for its other end.
+  require(std::filesystem::is_regular_file(file), "{} (the scene file cannot be read: it is no regular file)", file.string());
   std::ifstream stream(file, std::ios::binary);
-  require(stream.good() && std::filesystem::is_regular_file(file),
-          "{} (the scene file cannot be read)", file.string());
+  require(stream.good(), "{} (the scene file cannot be read)", file.string());
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
   SceneDraft draft = read_draft(text, file.string(), overrides);
   locate(draft, file.parent_path(), {"geometry.stl", &draft.scene.geometry.stl});

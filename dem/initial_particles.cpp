@@ -13,6 +13,9 @@ namespace clog {
 
 namespace {
 
+/// Beyond, masses and moments of inertia leave the range of a number, and no suspension is known [m].
+constexpr double least_radius = 1e-9, largest_radius = 1e3;
+
 const std::map<std::string, double Particle::*> columns = {
     {"x", &Particle::x},   {"y", &Particle::y},   {"z", &Particle::z},
     {"vx", &Particle::vx}, {"vy", &Particle::vy}, {"vz", &Particle::vz},
@@ -69,6 +72,8 @@ std::vector<Particle> read_initial_particles(const Scene& scene) {
     for (std::size_t k = 0; k < fields.size(); ++k)
       particle.*members[k] = number(fields[k], where);
     require(particle.radius > 0, "{}: radius = {} (must be positive)", where, particle.radius);
+    require(particle.radius >= least_radius && particle.radius <= largest_radius,
+            "{}: radius = {} m (must be from {} to {} m)", where, particle.radius, least_radius, largest_radius);
     particles.push_back(particle);
   }
   require(!particles.empty(), "{}: holds no particle (a header line and one line a particle)", file);

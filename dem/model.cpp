@@ -179,6 +179,20 @@ void choose_step(Model& model, const std::vector<Particle>& initial) {
 
 namespace {
 
+/// A sphere that turns further in a step knows no direction of sliding; its spin is a mistake [rad].
+constexpr double furthest_turn = 1;
+
+void check_spins(const Model& model, const std::vector<Particle>& initial) {
+  for (std::size_t k = 0; k < initial.size(); ++k) {
+    const Particle& p = initial[k];
+    const double turn = model.dt * std::max({std::abs(p.wx), std::abs(p.wy), std::abs(p.wz)});
+    require(turn < furthest_turn,
+            "particle {} of {} turns by {:.3g} rad in a step of {:.3g} s (allowed {} rad): lower its spin or the step", k + 1,
+            model.scene.particles.initial.empty() ? "those given" : model.scene.particles.initial, turn, model.dt,
+            furthest_turn);
+  }
+}
+
 /// A wanted fidelity must have become numbers before: silence would be taken for a result.
 void refuse_unresolved(const Scene& s) {
   require(s.fidelity.preset.empty() && s.fidelity.tolerance == 0,
@@ -228,6 +242,7 @@ Model make_model(const Scene& scene, const FlowGrid* flow, const std::vector<Par
   model.reach = {skin_share * scene.particles.diameter, model.lubrication.farthest};
   build_walls(model, flow);
   choose_step(model, initial);
+  check_spins(model, initial);
   model.wall_laws.dt = model.dt;
   return model;
 }

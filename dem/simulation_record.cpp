@@ -88,6 +88,7 @@ void Simulation::sample_series() {
   for (std::size_t i = 0; i < p.size(); ++i)
     speeds[i] = std::sqrt(p[i].vx * p[i].vx + p[i].vy * p[i].vy + p[i].vz * p[i].vz);
   const double kinetic = kinetic_energy(), elastic = elastic_energy();
+  if (!std::isfinite(kinetic + elastic)) blow_up("an energy is no number", fastest());
   if (data_.series.time.empty()) energy_in_ = kinetic + elastic;
   auto& series = data_.series;
   series.time.push_back(time());

@@ -68,6 +68,8 @@ TEST(InitialParticles, WhatIsNoFiniteNumber) {
 
 TEST(InitialParticles, RadiusThatIsNotPositive) {
   EXPECT_THAT(message("x,y,z,radius\n1,2,3,0\n"), HasSubstr(":2: radius = 0 (must be positive)"));
+  EXPECT_THAT(message("x,y,z,radius\n1,2,3,1e-300\n"), HasSubstr(":2: radius = 1e-300 m (must be from 1e-09 to 1000 m)"));
+  EXPECT_THAT(message("x,y,z,radius\n1,2,3,1e4\n"), HasSubstr("radius = 10000 m (must be from"));
   EXPECT_THAT(message("x,y,z,radius\n1,2,3,-1\n"), HasSubstr("radius = -1 (must be positive)"));
 }
 

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "dem/model.hpp"
 #include "tests/coupling/refusal.hpp"
 #include "tests/dem/channel_scene.hpp"
 
@@ -28,6 +29,25 @@ TEST(BlowUp, NamesTheParticleThatIsDeepest) {
                                                                     {.radius = 16.5e-6, .x = 5e-6}});
   EXPECT_THAT(refusal([&] { lab.step(); }),
               AllOf(HasSubstr("pressed too deep: particle 1 at (0, 0, 0) m"), HasSubstr("largest overlap 2.8e-05 m")));
+}
+
+// 1e160 rad/s squared is beyond the range of a number: no such energy gets into a file.
+TEST(BlowUp, AnEnergyThatIsNoNumberIsNotRecorded) {
+  Laboratory lab(laboratory_scene({3e6, 0.35, 1062, 33e-6}, 1e-7), {{.radius = 16.5e-6}, {.radius = 16.5e-6, .x = 1e-3}});
+  lab.step();
+  lab->particles()[1].wz = 1e170;
+  EXPECT_THAT(refusal([&] {
+                lab->compute_forces();
+                while (lab->time() < 1) lab.step(), lab->record();
+              }),
+              HasSubstr("an energy is no number"));
+}
+
+TEST(InitialParticles, ThatTurnTooFarInAStepAreRefused) {
+  const Scene scene = laboratory_scene({3e6, 0.35, 1062, 33e-6}, 1e-7);
+  make_model(scene, nullptr, {{.radius = 16.5e-6, .wy = -9e6}});
+  EXPECT_THAT(refusal([&] { make_model(scene, nullptr, {{.radius = 16.5e-6}, {.radius = 16.5e-6, .wy = -1.1e7}}); }),
+              HasSubstr("particle 2 of those given turns by 1.1 rad in a step of 1e-07 s (allowed 1 rad): lower its spin or the step"));
 }
 
 TEST(BlowUp, IsSeenInTheStepOfTheFirstNaN) {

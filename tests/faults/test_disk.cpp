@@ -144,12 +144,43 @@ TEST(Flow, VanishingDuringTheRunDoesNoHarm) {
   std::filesystem::rename(job.path("elsewhere.h5"), job.path("flow.h5"));
 }
 
-TEST(Flow, OfAnotherGeometryOrWithNaN) {
+TEST(Flow, OfAnotherGeometry) {
   const SmallJob job;
   const Program other = job.start("out", "1", {"--set", "geometry.neck_width=110 um"});
   EXPECT_EQ(other.wait(), 1);
   EXPECT_EQ(lines(other.said()), 1) << other.said();
   EXPECT_THAT(other.said(), HasSubstr("neck_width"));
+}
+
+/// A call of the program as a shell makes it; its exit status.
+int shell(const std::string& words) { return WEXITSTATUS(std::system((CLOG_PROGRAM " " + words).c_str())); }
+
+TEST(Output, AFullDiskUnderTheLogCostsTheLogAlone) {
+  const SmallJob job;
+  const std::string call = fmt::format("run {} --flow {} --seeds 1 --out ", job.path("scene.toml").string(), job.path("flow.h5").string());
+  EXPECT_EQ(shell(call + job.path("a").string() + " > /dev/null 2> /dev/full"), 0);
+  EXPECT_EQ(shell(call + job.path("b").string() + " > /dev/full 2> " + job.path("log").string()), 1);
+  EXPECT_THAT(text_of(job.path("log")), HasSubstr("clog: standard output cannot be written (disk full?)"));
+  EXPECT_TRUE(job.result("a", 1) == job.result("b", 1));
+  EXPECT_EQ(shell("info " + job.path("scene.toml").string() + " --effective > /dev/full 2> /dev/null"), 1);
+}
+
+TEST(Scene, APipeIsNotWaitedFor) {
+  const ScratchFolder folder;
+  ASSERT_EQ(::mkfifo((folder.path() / "pipe").c_str(), 0600), 0);
+  const Program program({"run", folder.path() / "pipe", "--out", folder.path() / "out"}, folder.path() / "log");
+  EXPECT_EQ(program.wait(), 1);
+  EXPECT_THAT(program.said(), HasSubstr("pipe (the scene file cannot be read: it is no regular file)"));
+}
+
+TEST(Flow, WithANaNInTheField) {
+  const SmallJob job;
+  const std::string put_nan = "import h5py, sys; h5py.File(sys.argv[1], 'r+')['VTKHDF/PointData/U'][3, 5, 7, 0] = float('nan')";
+  ASSERT_EQ(std::system(fmt::format("/usr/bin/python3 -c \"{}\" {}", put_nan, job.path("flow.h5").string()).c_str()), 0);
+  const Program program = job.start("out", "1");
+  EXPECT_EQ(program.wait(), 1);
+  EXPECT_THAT(program.said(), HasSubstr("holds NaN or infinity at point"));
+  EXPECT_EQ(lines(program.said()), 1) << program.said();
 }
 
 TEST(Flow, OfZeros) {
