@@ -94,8 +94,7 @@ void add_implicit_films(const AdvanceTask& step, const std::vector<Film>& films)
   const double error = (rows.transpose() * (right - rows * velocity)).norm(), size = right.norm();
   require(error <= film_accuracy * size,
           "the fluid films could not be solved for (error {:.2g} after {} iterations, {} is "
-          "accepted): lower "
-          "time.step_fraction or raise particles.roughness",
+          "accepted): lower the time step or raise particles.roughness",
           error / size, solver.iterations(), film_accuracy);
 
   for (Eigen::Index i = 0; i < scale.size(); ++i) velocity.segment<3>(3 * i) *= scale[i];

@@ -213,6 +213,14 @@ void check_count(const Scene& s) {
 
 }  // namespace
 
+const char* Model::step_key() const {
+  const auto& t = scene.time;
+  if (t.step > 0) return "time.step";
+  // The fraction alone gave a longer step; steps are rounded to divide the time.
+  const bool shared = t.contact_limit_share > 0 && dt < 0.99 * t.step_fraction * contact_time;
+  return shared ? "time.contact_limit_share" : "time.step_fraction";
+}
+
 Particle Model::particle(double radius) const {
   Particle p;
   p.radius = radius;

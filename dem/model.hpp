@@ -31,6 +31,9 @@ struct Model {
   double dt = 0;            ///< [s]
   std::int64_t steps = 0;
 
+  /// The key of the scene that decides the step, for messages that tell what to lower.
+  const char* step_key() const;
+
   /// A particle at rest, masses scaled as the scene says.
   Particle particle(double radius) const;
 };

@@ -267,9 +267,9 @@ void Simulation::take_out() {
     }
     const Vec3 place(p[i].x, p[i].y, p[i].z);
     require((place.array() >= d.low.array()).all() && (place.array() <= d.high.array()).all(),
-            "particle {} left the walls at ({:.4g}, {:.4g}, {:.4g}) m, t = {:.6g} s: lower "
-            "time.step_fraction or raise contact.youngs_modulus",
-            p.id[i], p[i].x, p[i].y, p[i].z, time());
+            "particle {} left the walls at ({:.4g}, {:.4g}, {:.4g}) m, t = {:.6g} s: lower {} or raise "
+            "contact.youngs_modulus",
+            p.id[i], p[i].x, p[i].y, p[i].z, time(), model_.step_key());
   }
 }
 

@@ -120,7 +120,7 @@ void Simulation::look_at_limit() {
       "the step of {:.3g} s is {} the limit of the contacts of particle {} at ({:.4g}, {:.4g}, {:.4g}) m, "
       "{:.3g} s",
       dt, dt > limit ? "above" : "near", p.id[i], p[i].x, p[i].y, p[i].z, limit);
-  const char* remedy = "lower time.step_fraction or raise time.rotational_inertia_scale";
+  const std::string remedy = fmt::format("lower {} or raise time.rotational_inertia_scale", model_.step_key());
   const bool begins = step_ == 0 && filling_.stage == Filling::Stage::done;
   require(!begins || dt <= limit || model_.scene.time.allow_unstable,
           "{}: {}, or set time.allow_unstable to see what it does", what, remedy);
@@ -147,8 +147,8 @@ void Simulation::look_for_shaking() {
   if (say_ && step_watch_.shaking == 0)
     say_(fmt::format(
         "the pack shakes: near the neck particles go or turn to and fro at {:.3g} m/s from one step to the next, where "
-        "below {:.3g} m/s would be rest; lower time.step_fraction or raise time.rotational_inertia_scale",
-        shaking, rest));
+        "below {:.3g} m/s would be rest; lower {} or raise time.rotational_inertia_scale",
+        shaking, rest, model_.step_key()));
   step_watch_.shaking = shaking;
 }
 
@@ -202,12 +202,12 @@ void Simulation::blow_up(const char* cause, int particle) const {
   const ParticleState& worst = particles_[particle];
   throw Error(fmt::format(
       "blow-up at step {} (t = {:.6g} s), {}: particle {} at ({:.4g}, {:.4g}, {:.4g}) m moves at "
-      "{:.3g} m/s under a force of {:.3g} N, largest overlap {:.3g} m; lower time.step_fraction or raise "
+      "{:.3g} m/s under a force of {:.3g} N, largest overlap {:.3g} m; lower {} or raise "
       "contact.youngs_modulus",
       step_, time(), cause, particles_.id[particle], worst.x, worst.y, worst.z,
       std::sqrt(worst.vx * worst.vx + worst.vy * worst.vy + worst.vz * worst.vz),
       Vec3(worst.fx, worst.fy, worst.fz).norm(),
-      std::max(pair_tally_.largest_overlap, wall_tally_.largest_overlap)));
+      std::max(pair_tally_.largest_overlap, wall_tally_.largest_overlap), model_.step_key()));
 }
 
 }  // namespace clog

@@ -118,12 +118,12 @@ std::string check_step(const StepLimits& l, const Model& model) {
           l.expected_overlap, deepest_overlap);
   const double limit = l.smallest(), dt = model.dt;
   const char* force = limit == l.drag ? "drag" : limit == l.lubrication ? "lubrication" : "the contacts";
-  const char* remedy = limit == l.drag ? "set time.integrator = \"implicit_drag\", "
-                                         "lower time.step_fraction or raise time.mass_scale"
-                       : limit == l.lubrication
-                           ? "set time.integrator = \"implicit_fluid\", lower time.step_fraction, raise "
-                             "time.mass_scale or particles.roughness"
-                           : "lower time.step_fraction or contact.youngs_modulus";
+  const char* key = model.step_key();
+  const std::string remedy =
+      limit == l.drag ? fmt::format("set time.integrator = \"implicit_drag\", lower {} or raise time.mass_scale", key)
+      : limit == l.lubrication
+          ? fmt::format("set time.integrator = \"implicit_fluid\", lower {}, raise time.mass_scale or particles.roughness", key)
+          : fmt::format("lower {} or contact.youngs_modulus", key);
   if (dt > limit) {
     const std::string what = fmt::format("the step of {:.3g} s is unstable: {} allow{} {:.3g} s; {}", dt, force,
                                          limit == l.contacts ? "" : "s", limit, remedy);

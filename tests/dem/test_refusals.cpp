@@ -20,7 +20,7 @@ TEST(BlowUp, NamesStepParticleForceAndKnob) {
   EXPECT_THAT(refusal([&] { lab.run_until(1e-3); }),
               AllOf(HasSubstr("blow-up at step "), HasSubstr("particle "), HasSubstr("m/s under a force of "),
                     HasSubstr("largest overlap"),
-                    HasSubstr("lower time.step_fraction or raise contact.youngs_modulus")));
+                    HasSubstr("lower time.step or raise contact.youngs_modulus")));
 }
 
 TEST(BlowUp, NamesTheParticleThatIsDeepest) {
@@ -66,7 +66,7 @@ TEST(LostParticle, NamesTheParticleAndThePlace) {
   Laboratory lab(s, {{.radius = 0.05, .z = 0.5}, {.radius = 0.05, .x = 5, .z = 0.5}});
   EXPECT_THAT(refusal([&] { lab->compute_forces(); }),
               AllOf(HasSubstr("particle 1 left the walls at (5, 0, 0.5) m"),
-                    HasSubstr("lower time.step_fraction or raise contact.youngs_modulus")));
+                    HasSubstr("lower time.step or raise contact.youngs_modulus")));
 }
 
 TEST(Flow, OfAnotherSceneIsRefusedWithTheFirstDifference) {

@@ -105,7 +105,7 @@ TEST(StepLimits, AreNamedRefusedAndWarnedOf) {
   const auto at = [&](double share) { return make_model(pressed(share * limits.contacts), nullptr, one); };
   EXPECT_THAT(check_step(limits, at(0.95)), HasSubstr("is near the limit of the contacts"));
   EXPECT_THAT(refusal([&] { check_step(limits, at(1.1)); }),
-              AllOf(HasSubstr("is unstable: the contacts allow"), HasSubstr("lower time.step_fraction")));
+              AllOf(HasSubstr("is unstable: the contacts allow"), HasSubstr("lower time.step or ")));
 }
 
 TEST(StepLimits, AShareOfTheContactsLimitShortensTheStepOnly) {
@@ -194,12 +194,22 @@ struct Deep {
   }
 };
 
+TEST(StepLimits, AMessageNamesTheKeyThatDecidesTheStep) {
+  const auto key = [](const Overrides& overrides) -> std::string {
+    return make_model(read_scene(CLOG_SOURCE_DIR "/scenes/paper.toml", overrides), nullptr, {}).step_key();
+  };
+  EXPECT_EQ(key({"time.step_fraction=0.02"}), "time.step_fraction");
+  EXPECT_EQ(key({"time.step_fraction=0.02", "time.contact_limit_share=0.9"}), "time.step_fraction");
+  EXPECT_EQ(key({"time.step_fraction=1", "time.contact_limit_share=0.7"}), "time.contact_limit_share");
+  EXPECT_EQ(make_model(pressed(1e-8), nullptr, {{.radius = 16.5e-6, .z = 16.5e-6}}).step_key(), std::string("time.step"));
+}
+
 TEST(StepLimits, ARunThatBeginsAboveTheLimitOfItsContactsIsRefused) {
   const Deep deep(0.8);
   Laboratory lab(deep.scene, deep.sphere);
   EXPECT_THAT(refusal([&] { lab->run(); }),
               AllOf(HasSubstr("is above the limit of the contacts of particle 0 at"),
-                    HasSubstr("lower time.step_fraction"), HasSubstr("time.allow_unstable")));
+                    HasSubstr("lower time.step or "), HasSubstr("time.allow_unstable")));
 }
 
 TEST(StepLimits, ARunThatAllowsUnstableStepsIsOnlyWarned) {
