@@ -7,6 +7,7 @@
 #include "cli/verbs.hpp"
 #include "coupling/content_hash.hpp"
 #include "coupling/foam_case_writer.hpp"
+#include "coupling/source_folder.hpp"
 
 namespace clog::cli {
 namespace {
@@ -20,7 +21,7 @@ struct CaseOptions {
 void write_case(const CaseOptions& options) {
   const Scene scene = read_scene(options.scene, options.overrides);
   const auto state =
-      write_foam_case(scene, options.folder, std::filesystem::path(CLOG_SOURCE_DIR) / "foam_case",
+      write_foam_case(scene, options.folder, source_folder() / "foam_case",
                       options.check ? FoamCaseCheck::with_coarser_mesh : FoamCaseCheck::without);
   const std::string hash = content_hash(flow_inputs(scene));
   if (state == FoamCaseState::solved) {

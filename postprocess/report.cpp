@@ -1,4 +1,5 @@
 // Checks the tools first, then runs the scripts.
+#include "coupling/source_folder.hpp"
 #include "postprocess/report.hpp"
 
 #include <cstdlib>
@@ -38,7 +39,7 @@ void require_modules(const std::string& python) {
 /// Runs a script of the figures. \return the files that it says it wrote
 std::vector<fs::path> run_script(const std::string& name, const fs::path& from, const fs::path& out) {
   const std::string python = environment("CLOG_PYTHON", "/usr/bin/python3");
-  const fs::path scripts = environment("CLOG_FIGURES", CLOG_SOURCE_DIR "/postprocess/figures");
+  const fs::path scripts = environment("CLOG_FIGURES", (source_folder() / "postprocess/figures").string());
   const fs::path script = scripts / name;
   require(fs::exists(script),
           "{}: not found (set CLOG_FIGURES to the folder of the figure scripts)", script.string());

@@ -1,7 +1,5 @@
 find_package(benchmark REQUIRED)
 add_executable(bench_step benchmarks/bench_step.cpp)
 target_link_libraries(bench_step PRIVATE clog_dem benchmark::benchmark GTest::gtest)
-target_compile_definitions(bench_step PRIVATE CLOG_TEST_DATA="${CMAKE_CURRENT_SOURCE_DIR}/reference")
 add_executable(roofline benchmarks/roofline.cpp)
 target_link_libraries(roofline PRIVATE clog_dem GTest::gtest fmt::fmt)
-target_compile_definitions(roofline PRIVATE CLOG_TEST_DATA="${CMAKE_CURRENT_SOURCE_DIR}/reference")

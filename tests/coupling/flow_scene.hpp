@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "coupling/scene.hpp"
+#include "coupling/source_folder.hpp"
 #include "tests/scratch.hpp"
 
 namespace clog {
@@ -44,7 +45,7 @@ inline void write_file(const std::filesystem::path& file, const std::string& tex
 }
 
 inline std::filesystem::path foam_template() {
-  return std::filesystem::path(CLOG_SOURCE_DIR) / "foam_case";
+  return source_folder() / "foam_case";
 }
 
 }  // namespace clog

@@ -9,11 +9,13 @@
 
 #include <gtest/gtest.h>
 
+#include "coupling/source_folder.hpp"
+
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path root = CLOG_SOURCE_DIR;
+const fs::path root = clog::source_folder();
 
 // The layer a file belongs to, from its path below the root: the longest folder that is listed.
 const std::map<std::string, std::set<std::string>> may_include = {

@@ -9,6 +9,7 @@
 #include "coupling/scene.hpp"
 #include "coupling/scene_draft.hpp"
 #include "coupling/scene_keys.hpp"
+#include "coupling/source_folder.hpp"
 #include "tests/coupling/refusal.hpp"
 #include "tests/coupling/scene_texts.hpp"
 #include "tests/scratch.hpp"
@@ -20,7 +21,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-const std::filesystem::path paper = std::filesystem::path(CLOG_SOURCE_DIR) / "scenes/paper.toml";
+const std::filesystem::path paper = clog::source_folder() / "scenes/paper.toml";
 
 TEST(Scene, PaperHasThePapersValues) {
   const Scene scene = read_scene(paper);

@@ -1,4 +1,5 @@
 // Channels from STL files: what is measured in them, and what is refused.
+#include "coupling/source_folder.hpp"
 #include "coupling/stl_channel.hpp"
 
 #include <cmath>
@@ -202,7 +203,7 @@ TEST(StlChannel, ComparesTheScaleAndWhatElseTheSceneSays) {
 }
 
 TEST(StlChannel, ShippedPore) {
-  const Scene scene = read_scene(std::filesystem::path(CLOG_SOURCE_DIR) / "scenes" / "pore.toml");
+  const Scene scene = read_scene(source_folder() / "scenes" / "pore.toml");
   const StlChannel pore = read_stl_channel(scene);
   EXPECT_NEAR(pore.width, 3e-4, 1e-9);
   EXPECT_NEAR(pore.straight_end, -1.8e-4, 2e-6);

@@ -1,6 +1,7 @@
 // The paper's channel with a made-up flow, cheap: heavy particles, a large step.
 #pragma once
 
+#include "coupling/source_folder.hpp"
 #include "tests/dem/laboratory.hpp"
 #include "tests/dem/synthetic_flow.hpp"
 
@@ -11,7 +12,7 @@ namespace clog::test {
 inline Scene cheap_paper_scene(Overrides overrides = {}) {
   overrides.insert(overrides.begin(), {"time.mass_scale=10", "time.rotational_inertia_scale=5",
                                        "time.step_fraction=0.04", "flow.grid_spacing=5 um"});
-  return read_scene(std::filesystem::path(CLOG_SOURCE_DIR) / "scenes" / "paper.toml", overrides);
+  return read_scene(source_folder() / "scenes" / "paper.toml", overrides);
 }
 
 /// A short channel, for tests that only need particles, walls and an outlet.

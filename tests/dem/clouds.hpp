@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "tests/dem/laboratory.hpp"
+#include "tests/test_data.hpp"
 
 namespace clog::test {
 
@@ -23,7 +24,7 @@ inline void stir(std::vector<Particle>& particles, double speed, std::mt19937& r
 
 /// 1000 spheres, settled against x = 1.6 mm in the box below, stirred.
 inline std::vector<Particle> packed_box(double speed) {
-  std::ifstream file(CLOG_TEST_DATA "/packed_box_1000.txt");
+  std::ifstream file(test_data("packed_box_1000.txt"));
   std::vector<Particle> particles;
   for (std::string line; std::getline(file, line);) {
     if (line[0] == '#') continue;

@@ -1,6 +1,7 @@
 // The predicted step limits against closed forms and against what runs do.
 #include <gmock/gmock.h>
 
+#include "coupling/source_folder.hpp"
 #include "dem/step_limit.hpp"
 #include "dem/step_watch.hpp"
 #include "tests/coupling/refusal.hpp"
@@ -196,7 +197,7 @@ struct Deep {
 
 TEST(StepLimits, AMessageNamesTheKeyThatDecidesTheStep) {
   const auto key = [](const Overrides& overrides) -> std::string {
-    return make_model(read_scene(CLOG_SOURCE_DIR "/scenes/paper.toml", overrides), nullptr, {}).step_key();
+    return make_model(read_scene(source_folder() / "scenes/paper.toml", overrides), nullptr, {}).step_key();
   };
   EXPECT_EQ(key({"time.step_fraction=0.02"}), "time.step_fraction");
   EXPECT_EQ(key({"time.step_fraction=0.02", "time.contact_limit_share=0.9"}), "time.step_fraction");

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "coupling/channel_shape.hpp"
+#include "coupling/source_folder.hpp"
 #include "dem/inlet.hpp"
 #include "dem/simulation.hpp"
 #include "tests/coupling/refusal.hpp"
@@ -11,7 +12,7 @@ namespace {
 
 Scene pore(Overrides overrides = {}) {
   overrides.insert(overrides.begin(), {"flow.source=uniform", "time.end=1 ms", "inlet.start=empty"});
-  return read_scene(std::filesystem::path(CLOG_SOURCE_DIR) / "scenes" / "pore.toml", overrides);
+  return read_scene(source_folder() / "scenes" / "pore.toml", overrides);
 }
 
 TEST(StlScene, HasTheSameEndsGateAndStripsAsAChannelOfKeys) {

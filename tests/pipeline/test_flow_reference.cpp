@@ -11,10 +11,12 @@
 #include "coupling/flow_error.hpp"
 #include "coupling/foam_case_writer.hpp"
 #include "coupling/map_flow.hpp"
+#include "coupling/source_folder.hpp"
 #include "coupling/text_file.hpp"
 #include "dem/flow_field.hpp"
 #include "tests/coupling/flow_scene.hpp"
 #include "tests/pipeline/flow_case.hpp"
+#include "tests/test_data.hpp"
 
 namespace clog {
 namespace {
@@ -30,7 +32,7 @@ struct ReferencePoint {
 };
 
 std::vector<ReferencePoint> reference_points() {
-  std::ifstream in(fs::path(CLOG_TEST_DATA) / "flow_60deg.csv");
+  std::ifstream in(test_data("flow_60deg.csv"));
   std::vector<ReferencePoint> points;
   std::string line;
   while (std::getline(in, line)) {
@@ -129,7 +131,7 @@ protected:
   static void SetUpTestSuite() {
     scratch = new ScratchFolder;
     folder = scratch->path() / "case";
-    const Scene scene = read_scene(fs::path(CLOG_SOURCE_DIR) / "scenes" / "paper.toml");
+    const Scene scene = read_scene(source_folder() / "scenes" / "paper.toml");
     write_foam_case(scene, folder, foam_template());
     run = solve(folder);
   }
@@ -181,7 +183,7 @@ TEST_F(FlowReference, PressureDrop) { EXPECT_NEAR(extrapolated_drop(folder), 17.
 TEST(CreepingFlow, IsTheStokesSolution) {
   const ScratchFolder scratch;
   const fs::path folder = scratch.path() / "case";
-  write_foam_case(read_scene(fs::path(CLOG_SOURCE_DIR) / "scenes" / "paper.toml",
+  write_foam_case(read_scene(source_folder() / "scenes" / "paper.toml",
                              {"flow.mean_velocity=5 um/s", "flow.mesh_cells_per_neck=24",
                               "flow.grid_spacing=4 um"}),
                   folder, foam_template());

@@ -7,6 +7,7 @@
 #include "coupling/foam_case_writer.hpp"
 #include "coupling/flow_flux.hpp"
 #include "coupling/map_flow.hpp"
+#include "coupling/source_folder.hpp"
 #include "coupling/stl_channel.hpp"
 #include "tests/coupling/flow_scene.hpp"
 #include "tests/pipeline/flow_case.hpp"
@@ -80,7 +81,7 @@ TEST(StlFlow, OfThePapersChannelIsThatOfTheBlockMesh) {
 
 TEST(StlFlow, OfTheShippedPore) {
   const ScratchFolder scratch;
-  const Scene scene = read_scene(fs::path(CLOG_SOURCE_DIR) / "scenes" / "pore.toml", {"flow.mesh_cells_per_neck=14"});
+  const Scene scene = read_scene(source_folder() / "scenes" / "pore.toml", {"flow.mesh_cells_per_neck=14"});
   const FlowGrid grid = solved(scene, scratch.path() / "pore");
   expect_laws(grid, 5e-3 * 3e-4 * 1e-4, 15e-3);
   EXPECT_LT(grid.provenance["points_lost_at_walls"], 0.01);

@@ -5,6 +5,7 @@
 #include "postprocess/number_column.hpp"
 #include "postprocess/power_law.hpp"
 #include "tests/postprocess/samples.hpp"
+#include "tests/test_data.hpp"
 
 namespace clog::postprocess {
 namespace {
@@ -12,7 +13,7 @@ namespace {
 using testing::HasSubstr;
 
 PowerLawFit published(const char* file) {
-  return fit_power_law(SortedSample(read_number_column(std::string(CLOG_TEST_DATA) + "/" + file)));
+  return fit_power_law(SortedSample(read_number_column(test_data(file))));
 }
 
 TEST(PowerLaw, plfit_continuous_as_published) {
@@ -153,7 +154,7 @@ TEST(PowerLaw, refusals) {
 
 TEST(GoodnessOfFit, as_published_for_the_data_of_clauset) {
   // Table 6.1: flares 1.00, surnames 0.20; their and our p carry a bootstrap noise of about 0.03.
-  const SortedSample surnames(read_number_column(CLOG_TEST_DATA "/csn_surnames.txt"));
+  const SortedSample surnames(read_number_column(test_data("csn_surnames.txt")));
   EXPECT_NEAR(goodness_of_fit(surnames, fit_power_law(surnames), {.replicates = 400}), 0.20, 0.08);
 }
 

@@ -7,6 +7,7 @@
 #include "postprocess/child_process.hpp"
 #include "tests/postprocess/synthetic_ensemble.hpp"
 #include "tests/scratch.hpp"
+#include "tests/test_data.hpp"
 
 namespace clog::postprocess {
 namespace {
@@ -22,7 +23,7 @@ ChildResult clog(std::vector<std::string> words) {
 std::filesystem::path temporary(const char* name) { return scratch_folder() / name; }
 
 TEST(Fit, prints_json) {
-  const auto plain = clog({"fit", CLOG_TEST_DATA "/csn_surnames.txt"});
+  const auto plain = clog({"fit", clog::test_data("csn_surnames.txt")});
   ASSERT_EQ(plain.status, 0) << plain.output;
   const auto json = nlohmann::json::parse(plain.output);
   EXPECT_NEAR(json["alpha"].get<double>(), 2.5, 0.05);
@@ -33,7 +34,7 @@ TEST(Fit, prints_json) {
 }
 
 TEST(Fit, p_value_with_and_without_a_number_and_seeded) {
-  const std::string file = CLOG_TEST_DATA "/csn_surnames.txt";
+  const std::string file = clog::test_data("csn_surnames.txt");
   EXPECT_EQ(nlohmann::json::parse(clog({"fit", file, "--p-value"}).output)["p_value_replicates"],
             1000);
   const auto once = clog({"fit", file, "--p-value", "50", "--seed", "4"}).output;
@@ -43,10 +44,10 @@ TEST(Fit, p_value_with_and_without_a_number_and_seeded) {
 
 TEST(Fit, xmin_given_and_refused) {
   const auto fixed = nlohmann::json::parse(
-      clog({"fit", CLOG_TEST_DATA "/csn_flares.txt", "--xmin", "323"}).output);
+      clog({"fit", clog::test_data("csn_flares.txt"), "--xmin", "323"}).output);
   EXPECT_NEAR(fixed["alpha"].get<double>(), 1.79, 0.005);
   EXPECT_EQ(fixed["xmin_from"], "given");
-  const auto refused = clog({"fit", CLOG_TEST_DATA "/csn_flares.txt", "--xmin", "1e9"});
+  const auto refused = clog({"fit", clog::test_data("csn_flares.txt"), "--xmin", "1e9"});
   EXPECT_EQ(refused.status, 1);
   EXPECT_THAT(refused.output, StartsWith("clog: xmin = 1000000000 leaves 0 of 12773 values"));
 }

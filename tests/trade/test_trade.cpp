@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include "coupling/source_folder.hpp"
 #include "coupling/text_file.hpp"
 #include "tests/coupling/refusal.hpp"
 #include "tests/faults/small_channel.hpp"
@@ -18,7 +19,7 @@ using nlohmann::json;
 using testing::HasSubstr;
 using namespace clog::trade;
 
-const std::filesystem::path paper = std::filesystem::path(CLOG_SOURCE_DIR) / "scenes" / "paper.toml";
+const std::filesystem::path paper = clog::source_folder() / "scenes" / "paper.toml";
 
 /// Twenty pieces with 10 bursts each, of sizes that waver by `spread` around `mean`.
 Sample bursts_of(double mean, double spread) {
@@ -97,7 +98,7 @@ TEST(TradePresets, AreThoseOfTheCommittedStudy) {
   std::vector<json> studies;
   for (const char* name : {"d50.json", "d33.json", "d25.json"})
     studies.push_back(json::parse(
-        read_text_file(std::filesystem::path(CLOG_SOURCE_DIR) / "docs" / "trade" / name)));
+        read_text_file(clog::source_folder() / "docs" / "trade" / name)));
   EXPECT_EQ(combine(studies), measured_settings());
 }
 

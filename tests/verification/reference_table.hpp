@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "coupling/require.hpp"
+#include "tests/test_data.hpp"
 
 namespace clog::verification {
 
@@ -16,7 +17,7 @@ struct Point {
 
 /// Lines "material,x,y" after a comment and a header.
 inline std::vector<Point> reference_curve(const std::string& file, const std::string& material) {
-  std::ifstream stream(std::string(CLOG_TEST_DATA "/") + file);
+  std::ifstream stream(test_data(file));
   require(stream.good(), "tests/reference/{}: cannot be read", file);
   std::vector<Point> points;
   for (std::string line; std::getline(stream, line);) {

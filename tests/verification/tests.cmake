@@ -9,7 +9,6 @@ add_library(clog_verification OBJECT
   verification/energy.cpp
   verification/invariants.cpp)
 target_link_libraries(clog_verification PUBLIC clog_dem)
-target_compile_definitions(clog_verification PRIVATE CLOG_TEST_DATA="${CMAKE_CURRENT_SOURCE_DIR}/reference")
 clog_tests(test_verification
   SOURCES verification/test_verification.cpp
   LIBRARIES clog_verification LABELS verification)
