@@ -10,4 +10,4 @@ clog_tests(test_file_formats
   LIBRARIES clog_coupling LABELS unit)
 clog_tests(test_layers
   SOURCES coupling/test_layers.cpp
-  LIBRARIES clog_options LABELS unit)
+  LIBRARIES clog_coupling LABELS unit)
