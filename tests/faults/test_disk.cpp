@@ -90,6 +90,16 @@ TEST(FullDisk, ALimitOnFilesIsALineToo) {
   EXPECT_THAT(run.said, HasSubstr("cannot be written"));
 }
 
+TEST(ReadOnly, AFolderInThePlaceOfTheLedger) {
+  const SmallJob job;
+  std::filesystem::create_directories(job.path("out/ensemble.csv"));
+  const Program program = job.start("out", "1");
+  EXPECT_EQ(program.wait(), 1);
+  EXPECT_THAT(program.said(), HasSubstr("ensemble.csv (cannot be written: Is a directory)"));
+  EXPECT_THAT(program.said(), HasSubstr("1 seeds are done but not listed in "));
+  EXPECT_TRUE(std::filesystem::exists(job.path("out/run_0001.h5")));
+}
+
 TEST(ReadOnly, AFileInThePlaceOfTheDirectory) {
   const SmallJob job;
   write_file(job.path("out"), "not a directory");
