@@ -192,6 +192,7 @@ void conclude(const EnsembleCall& call, const EnsembleResult& result, const std:
     fmt::print("{} of {} seeds are left to other calls that are at work on them, such as {}\n",
                result.left_to_others, seeds, result.other);
   require(result.failed == 0, "{} of {} seeds failed; the others are in {}", result.failed, seeds, out.string());
+  require(result.unrecorded == 0, "{} seeds are done but not listed in {}", result.unrecorded, call.ledger.string());
 }
 
 void run(const RunOptions& options) {

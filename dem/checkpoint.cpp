@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "coupling/content_hash.hpp"
+#include "coupling/file_part.hpp"
 #include "coupling/publish_file.hpp"
 #include "coupling/require.hpp"
 #include "coupling/text_file.hpp"
@@ -70,7 +71,7 @@ void Checkpoint::remove() {
   std::filesystem::remove(newest_, ignored);
   std::filesystem::remove(older_, ignored);
   // Of a process that was killed while it wrote.
-  std::filesystem::remove(newest_.string() + ".part", ignored);
+  clear_remainders(newest_);
 }
 
 }  // namespace clog

@@ -49,7 +49,7 @@ public:
       if (run(claim->job) == SeedEnd::stopped) break;
     }
     const Ledger::Sum sum = ledger_.sum();
-    return {std::max(sum.failed, failed_), worklist_.left_to_others(), worklist_.other(), sum.busy,
+    return {std::max(sum.failed, failed_), worklist_.left_to_others(), worklist_.other(), unrecorded_, sum.busy,
             seconds_now() - began};
   }
 
@@ -105,7 +105,7 @@ private:
       ledger_.append({ensemble_of(job).name, job.seed, began, seconds_now(), word_for(end)});
     } catch (const std::exception& error) {
       // A disk that stays full is said once.
-      if (!std::exchange(said_no_ledger_, true)) tell(job, {job.seed, error.what(), false, true});
+      if (unrecorded_++ == 0) tell(job, {job.seed, error.what(), false, true});
     }
   }
 
@@ -115,8 +115,8 @@ private:
   Ledger ledger_;
   Worklist worklist_;
   std::vector<std::string> inputs_;
-  std::size_t failed_ = 0;
-  bool said_without_locks_ = false, said_no_ledger_ = false;
+  std::size_t failed_ = 0, unrecorded_ = 0;
+  bool said_without_locks_ = false;
 };
 
 }  // namespace

@@ -16,6 +16,7 @@ struct EnsembleResult {
   std::size_t failed = 0;  ///< seeds
   int left_to_others = 0;  ///< seeds that another call is at work on
   std::string other;       ///< who
+  std::size_t unrecorded = 0;  ///< seeds of this rank that the ledger could not take
   double busy = 0;         ///< of all ranks, at work on seeds [s]
   double duration = 0;     ///< from the begin to the end of this rank's call [s]
 };
