@@ -17,6 +17,7 @@ clog_tests(test_postprocess
 # Starts python and the program itself, so it is slower than a unit test.
 clog_tests(test_postprocess_programs
   SOURCES
+    postprocess/test_real_runs.cpp
     postprocess/test_report.cpp
     postprocess/test_verbs.cpp
   LIBRARIES clog_postprocess
