@@ -3,6 +3,7 @@ clog_tests(test_postprocess
     postprocess/test_bursts.cpp
     postprocess/test_censored.cpp
     postprocess/test_confidence.cpp
+    postprocess/test_discrete_power_law.cpp
     postprocess/test_geometric_law.cpp
     postprocess/test_number_column.cpp
     postprocess/test_power_law.cpp
