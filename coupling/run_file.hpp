@@ -15,8 +15,8 @@ namespace clog {
 struct RunData {
   std::uint64_t seed = 0;
   std::string scene_text;     ///< effective scene
-  nlohmann::json provenance;  ///< program revision, compiler, ISA, host, wall time, particle-steps/s,
-                              ///< flow hash, fill_time, start ...
+  nlohmann::json provenance;  ///< program revision, compiler, ISA, host, flow hash ...; the names that
+                              ///< are read again: coupling/run_record.hpp
   double end_time = 0;        ///< simulated [s]; the last lapse is censored here
 
   struct {

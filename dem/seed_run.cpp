@@ -7,6 +7,7 @@
 #include "coupling/content_hash.hpp"
 #include "coupling/require.hpp"
 #include "coupling/run_file.hpp"
+#include "coupling/run_record.hpp"
 #include "coupling/text_file.hpp"
 #include "dem/checkpoint.hpp"
 #include "dem/seed_lock.hpp"
@@ -25,7 +26,7 @@ Scene scene_of(const Scene& scene, std::uint64_t seed) {
 }
 
 void check_same_inputs(const RunData& done, const std::string& wanted, const std::string& file) {
-  require(done.provenance.value("inputs_hash", wanted) == wanted,
+  require(done.provenance.value(run_record::inputs_hash, wanted) == wanted,
           "{}: was made with another flow, or other files of particles or walls: give another --out",
           file);
 }
@@ -82,8 +83,8 @@ private:
 
 std::string summary(const RunData& run) {
   return fmt::format("{:.4g} s simulated in {:.1f} s, {:.3g} particle-steps/s, {} passages, {} releases",
-                     run.end_time, run.provenance["wall_time_s"].get<double>(),
-                     run.provenance["particle_steps_per_s"].get<double>(),
+                     run.end_time, run.provenance[run_record::wall_time].get<double>(),
+                     run.provenance[run_record::particle_steps_per_s].get<double>(),
                      run.passages.time.size(), run.releases.off.size());
 }
 
@@ -122,7 +123,7 @@ std::string run_seed(const Ensemble& ensemble, const std::string& inputs, std::u
     saver.look();
     if (watcher) watcher(progress);
   });
-  run.provenance["inputs_hash"] = inputs;
+  run.provenance[run_record::inputs_hash] = inputs;
   write_run_file(run, ensemble.wanted ? ahead : file);
   checkpoint.remove();
   return summary(run);

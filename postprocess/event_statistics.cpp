@@ -76,7 +76,7 @@ namespace {
 
 json fit_or_refusal(const std::vector<double>& lapses, const FitRequest& request, double tau) {
   if (lapses.empty()) return {{"refused", "no lapse longer than 0"}};
-  const SortedSample sample(lapses);
+  const SortedSample sample(lapses, Values::continuous);
   const std::string why_not = obstacle(sample, request.xmin);
   if (!why_not.empty()) return {{"refused", why_not}};
   json fit = fit_as_json(sample, request);

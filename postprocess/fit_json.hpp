@@ -21,7 +21,7 @@ struct FitRequest {
   std::uint64_t seed = 1;
 };
 
-/// alpha, xmin, sigma, n, n_tail, ks, ties, exponential {...}; p_value, p_value_error,
+/// discrete (whether the law is one on whole numbers), alpha, xmin, sigma, n, n_tail, ks, ties, exponential {...}; p_value, p_value_error,
 /// p_value_replicates, seed when asked; warning when the tail has fewer than 50 values. \throws
 /// Error as fit_power_law
 nlohmann::json fit_as_json(const SortedSample& sample, const FitRequest& request);

@@ -132,7 +132,7 @@ json group_statistics(const RunGroup& group, const StatisticsRequest& request) {
                     {"file", std::filesystem::absolute(record.file).lexically_normal().string()},
                     {"start", record.window.start},
                     {"end", record.window.end},
-                    {"filling_time", record.filling_time},
+                    {"filling_time", number_or_null(record.filling_time)},
                     {"wall_time", number_or_null(record.wall_time)},
                     {"passages", record.passages},
                     {"while_off", record.while_off},

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "coupling/run_file.hpp"
+#include "coupling/run_record.hpp"
 #include "postprocess/run_groups.hpp"
 
 namespace clog::trade {
@@ -48,12 +49,12 @@ void add_run(Sample& sample, const fs::path& file) {
     sample.pieces.push_back(piece);
   }
   ++sample.runs;
-  sample.simulated += run.end_time + run.provenance.at("fill_time_s").get<double>();
-  sample.particle_steps += run.provenance.at("particle_steps").get<double>();
-  if (const double limit = run.provenance.value("contact_limit_s", 0.0); limit > 0)
+  sample.simulated += run.end_time + run.provenance.at(run_record::fill_time).get<double>();
+  sample.particle_steps += run.provenance.at(run_record::particle_steps).get<double>();
+  if (const double limit = run.provenance.value(run_record::contact_limit, 0.0); limit > 0)
     sample.step_over_limit =
-        std::max(sample.step_over_limit, run.provenance.at("time_step_s").get<double>() / limit);
-  sample.wall_seconds += run.provenance.at("wall_time_s").get<double>();
+        std::max(sample.step_over_limit, run.provenance.at(run_record::time_step).get<double>() / limit);
+  sample.wall_seconds += run.provenance.at(run_record::wall_time).get<double>();
 }
 
 template <class Member>

@@ -42,6 +42,24 @@ TEST(Fit, prints_json) {
     EXPECT_TRUE(json.contains(key)) << key;
 }
 
+// The continuous law has 4.88 for these counts of a law with 2.5, and cannot be told from a good fit.
+TEST(Fit, whole_numbers_have_the_discrete_law) {
+  const std::string file = clog::test_data("cases/counts61.txt");
+  const auto json = nlohmann::json::parse(clog({"fit", file, "--xmin", "1"}).output);
+  EXPECT_NEAR(json["alpha"].get<double>(), 2.5, 2 * json["sigma"].get<double>());
+  EXPECT_EQ(json["discrete"], true);
+  EXPECT_EQ(json["discrete_from"], "values");
+  const auto continuous =
+      nlohmann::json::parse(clog({"fit", file, "--xmin", "1", "--continuous"}).output);
+  EXPECT_EQ(continuous["discrete"], false);
+  EXPECT_EQ(continuous["discrete_from"], "given");
+  EXPECT_THAT(continuous["notes"][0].get<std::string>(), HasSubstr("whole numbers"));
+  EXPECT_EQ(clog({"fit", file, "--continuous", "--discrete"}).status, 2);
+  const auto refused = clog({"fit", clog::test_data("csn_surnames.txt"), "--discrete"});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.output, HasSubstr("needs whole numbers"));
+}
+
 TEST(Fit, p_value_with_and_without_a_number_and_seeded) {
   const std::string file = clog::test_data("csn_surnames.txt");
   EXPECT_EQ(nlohmann::json::parse(clog({"fit", file, "--p-value"}).output)["p_value_replicates"],
