@@ -100,8 +100,13 @@ public:
   void check(bool condition, const std::string& message) const;
 
 private:
+  Hdf5Handle open_dataset(const std::string& dataset) const;
+  void spend(double bytes) const;
+
   std::filesystem::path file_;
   Hdf5Handle handle_;
+  double size_;                  ///< of the file [byte]
+  mutable double unpacked_ = 0;  ///< by all reads so far [byte]
 };
 
 /// Format name and version of any file that Hdf5Writer wrote.
