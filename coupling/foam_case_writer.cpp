@@ -81,7 +81,8 @@ std::map<std::string, std::string> structured(const Scene& scene) {
 }
 
 std::map<std::string, std::string> unstructured(const Scene& scene) {
-  const StlChannel channel = read_stl_channel(scene);
+  const auto read = read_stl_channel(scene);
+  const StlChannel& channel = *read;
   const SnappyMesh mesh = snappy_mesh(scene, channel);
   auto files = snappy_files(scene, channel, mesh);
   files["system/sceneDict"] =

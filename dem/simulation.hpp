@@ -156,6 +156,7 @@ private:
   ContactTally pair_tally_, wall_tally_;
   std::vector<std::uint8_t> leaving_;
   double largest_radius_ = 0;  // of any particle that will be [m]
+  std::int64_t given_ = 0;     // initial particles, which have the first ids
   RunData data_;
   std::int64_t step_ = 0;
   double kick_ = 0;     // dt, or dt/2 in the very first step: the velocities given are at x_0
