@@ -192,6 +192,7 @@ void conclude(const EnsembleCall& call, const EnsembleResult& result, const std:
     fmt::print("{} of {} seeds are left to other calls that are at work on them, such as {}\n",
                result.left_to_others, seeds, result.other);
   require(result.failed == 0, "{} of {} seeds failed; the others are in {}", result.failed, seeds, out.string());
+  require(result.unrecorded == 0, "{} seeds are done but not listed in {}", result.unrecorded, call.ledger.string());
 }
 
 void run(const RunOptions& options) {
@@ -200,6 +201,8 @@ void run(const RunOptions& options) {
   const Launch launch = launch_from_environment();
   const auto points = on_every_rank(launch, [&] { return prepare_points(options); });
   EnsembleCall call = call_for(points, options, launch);
+  for (const std::string& line : on_every_rank(launch, [&] { return check_directories(call); }))
+    if (launch.rank == 0) put(stderr, fmt::format("clog: {}\n", line));
   const auto decisions = on_every_rank(launch, [&] { return decide_by(options.until, call); });
   ProgressLine line(launch.rank == 0 && isatty(STDERR_FILENO));
   const EnsembleResult result = run_ensembles(

@@ -202,7 +202,7 @@ double neck_mean_velocity(const Scene& scene) {
 double channel_width_at(const Scene& scene, double x) { return channel_shape(scene).width(x); }
 
 double channel_volume(const Scene& scene, double from, double to) {
-  if (is_stl_channel(scene)) return volume_between(read_stl_channel(scene).walls, from, to);
+  if (is_stl_channel(scene)) return volume_between(read_stl_channel(scene)->walls, from, to);
   const ChannelShape shape = channel_shape(scene);
   double area = 0;
   for (const ChannelSide* wall : {&shape.upper, &shape.lower}) {

@@ -55,12 +55,18 @@ ContactGeometry<double> geometry(const Particles& p, int i, const Vec3& normal, 
 
 }  // namespace
 
+WallContacts::WallContacts(const Walls& walls, double radius, const Reach& reach, double weld)
+    : surface_(walls, weld),
+      bins_(surface_.triangles(), radius + reach.lubrication + reach.skin),
+      reach_(reach),
+      weld_(weld) {}
+
 WallContacts::WallContacts(const Walls& walls, double radius, const Reach& reach)
-    : surface_(walls), bins_(surface_.triangles(), radius + reach.lubrication + reach.skin), reach_(reach) {}
+    : WallContacts(walls, radius, reach, weld_length(walls)) {}
 
 void WallContacts::change(const Walls& walls, double radius, const Particles& particles) {
   corner_touches_ = touches(particles);
-  surface_ = WallSurface(walls);
+  surface_ = WallSurface(walls, weld_);
   bins_ = WallBins(surface_.triangles(), radius + reach_.lubrication + reach_.skin);
   particle_.clear(), slot_.clear();
   contacts_.reset();

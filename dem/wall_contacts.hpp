@@ -30,6 +30,8 @@ public:
   WallContacts() = default;
 
   /// \param radius  of the largest particle [m]
+  /// \param weld    corners of the walls that are nearer than this are one [m]
+  WallContacts(const Walls& walls, double radius, const Reach& reach, double weld);
   WallContacts(const Walls& walls, double radius, const Reach& reach);
 
   /// Puts other walls in place; contacts go on where both have the same surface. Call rebuild()
@@ -99,6 +101,7 @@ private:
   WallSurface surface_;
   WallBins bins_;
   Reach reach_;
+  double weld_ = 0;
   std::vector<int> particle_, slot_;  // of each plane slot; slot_[k] = k
   std::vector<double> nx_, ny_, nz_, offset_;
   ContactSet contacts_;

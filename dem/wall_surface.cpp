@@ -5,7 +5,6 @@
 #include <map>
 
 #include "dem/closest_point.hpp"
-#include "coupling/wall_mesh.hpp"
 
 namespace clog {
 
@@ -29,8 +28,8 @@ double distance_to_segment(const std::array<Vec3, 2>& segment, const Vec3& point
 
 }  // namespace
 
-WallSurface::WallSurface(const Walls& walls) {
-  WallMesh mesh = join_walls(walls);
+WallSurface::WallSurface(const Walls& walls, double weld) {
+  WallMesh mesh = join_walls(walls, weld);
   triangles_ = std::move(mesh.triangles);
   corner_ = std::move(mesh.corner);
   around_.resize(mesh.corners);

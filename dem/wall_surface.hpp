@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "coupling/walls.hpp"
+#include "coupling/wall_mesh.hpp"
 
 namespace clog {
 
@@ -30,7 +30,9 @@ struct WallPatch {
 class WallSurface {
 public:
   WallSurface() = default;
-  explicit WallSurface(const Walls& walls);
+  explicit WallSurface(const Walls& walls) : WallSurface(walls, weld_length(walls)) {}
+  /// \param weld  corners that are nearer than this are one [m]
+  WallSurface(const Walls& walls, double weld);
 
   const std::vector<WallPatch>& patches() const { return patches_; }
   int patch_of(int triangle) const { return patch_[triangle]; }

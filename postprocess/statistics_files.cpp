@@ -1,11 +1,11 @@
 // Writes stats.json and the tables.
 #include "postprocess/statistics_files.hpp"
 
+#include "coupling/publish_file.hpp"
 #include "coupling/require.hpp"
 #include "postprocess/points_table.hpp"
 #include "postprocess/sweep_axis.hpp"
 #include "postprocess/tables.hpp"
-#include "postprocess/text_file.hpp"
 #include "postprocess/trend.hpp"
 
 namespace clog::postprocess {
@@ -48,9 +48,9 @@ nlohmann::json write_statistics(const StatisticsJob& job) {
   std::error_code status;
   std::filesystem::create_directories(job.out, status);
   require(!status, "{}: cannot be created ({})", job.out.string(), status.message());
-  for (const auto& [file, text] : tables_of(groups)) write_text_file(text, job.out / file);
-  write_text_file(points_table(statistics), job.out / "points.csv");
-  write_text_file(statistics.dump(1) + "\n", job.out / "stats.json");
+  for (const auto& [file, text] : tables_of(groups)) publish_file(text, job.out / file);
+  publish_file(points_table(statistics), job.out / "points.csv");
+  publish_file(statistics.dump(1) + "\n", job.out / "stats.json");
   return statistics;
 }
 

@@ -6,8 +6,9 @@ clog_tests(test_flow_case
           coupling/test_flow_error.cpp coupling/test_flow_reach.cpp coupling/test_flow_rescale.cpp coupling/test_foam_case_writer.cpp coupling/test_foam_log.cpp coupling/test_foam_samples.cpp coupling/test_stl_channel.cpp
   LIBRARIES clog_coupling LABELS unit)
 clog_tests(test_file_formats
-  SOURCES coupling/test_flow_grid.cpp coupling/test_run_file.cpp coupling/test_hdf5_faults.cpp
-  LIBRARIES clog_coupling LABELS unit)
+  SOURCES coupling/test_flow_grid.cpp coupling/test_run_file.cpp coupling/test_hdf5_faults.cpp coupling/test_hostile_hdf5.cpp
+          coupling/test_publish_file.cpp
+  LIBRARIES clog_coupling hdf5::hdf5 LABELS unit)
 clog_tests(test_layers
   SOURCES coupling/test_layers.cpp
-  LIBRARIES clog_options LABELS unit)
+  LIBRARIES clog_coupling LABELS unit)

@@ -48,13 +48,20 @@ TEST(Model, SaysWhereWallsFromAFileAreOpen) {
   EXPECT_THAT(said, testing::Contains(HasSubstr("the walls are open")));
 }
 
-TEST(Model, RefusesWallsThatAreNoSurfaceUnderTheFilesName) {
+TEST(Model, SaysWhichFacetsOfAFileAreLeftOut) {
   const ScratchFile twice(floor_file("facet\nvertex 1 0 0\nvertex 0 1 0\nvertex 0 0 0\nendfacet\n"), ".stl");
-  EXPECT_THAT(refusal([&] { make_model(on_walls(twice), nullptr, {}); }),
-              HasSubstr(twice.name() + ": walls: triangle 2 has the corners of triangle 1"));
+  EXPECT_THAT(make_model(on_walls(twice), nullptr, {}).walls_note,
+              HasSubstr(twice.name() + ": 1 facet with the corners of another (number 2) is left out"));
   const ScratchFile flat(floor_file("facet\nvertex 1 0 0\nvertex 2 0 0\nvertex 3 0 0\nendfacet\n"), ".stl");
-  EXPECT_THAT(refusal([&] { make_model(on_walls(flat), nullptr, {}); }),
-              HasSubstr(flat.name() + ": walls: triangle 2 has no area"));
+  EXPECT_THAT(make_model(on_walls(flat), nullptr, {}).walls_note,
+              HasSubstr(flat.name() + ": 1 facet without area (number 2) is left out"));
+}
+
+TEST(Model, RefusesAToleranceLargerThanTheFacetsUnderTheFilesName) {
+  const ScratchFile file(floor_file(), ".stl");
+  Scene scene = on_walls(file);
+  scene.geometry.stl_tolerance = 2;
+  EXPECT_THAT(refusal([&] { make_model(scene, nullptr, {}); }), testing::AllOf(HasSubstr(file.name()), HasSubstr("none is left")));
 }
 
 }  // namespace

@@ -1,4 +1,8 @@
 // The report of a small ensemble, and what is said when a tool is missing.
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <cstdlib>
 #include <fstream>
 #include <set>
@@ -56,6 +60,15 @@ protected:
     make_report(here_ / "stats", here_ / "report");
   }
 
+  /// A shell script in the place of python.
+  std::string interpreter(const std::string& lines) const {
+    std::filesystem::create_directories(here_);
+    const auto file = here_ / "python3";
+    std::ofstream(file) << "#!/bin/sh\n" << lines << "\n";
+    std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+    return file;
+  }
+
   /// The page without its pictures.
   std::string page() {
     std::string text = text_of(here_ / "report" / "report.html");
@@ -93,6 +106,49 @@ TEST_F(Report, without_any_passage_the_figures_say_so) {
   EXPECT_THAT(text_of(here_ / "report" / "bursts.svg"), HasSubstr("no burst that began and ended"));
   EXPECT_THAT(text_of(here_ / "report" / "snapshots.svg"), HasSubstr("no snapshots in these runs"));
   EXPECT_THAT(text_of(here_ / "report" / "series.svg"), HasSubstr("no time series in these runs"));
+}
+
+// Half a page, then killed: what was there stays, and nothing half lies under a final name.
+TEST_F(Report, a_script_that_is_killed_leaves_the_older_report) {
+  std::filesystem::create_directories(here_ / "report");
+  std::ofstream(here_ / "report" / "report.html") << "older";
+  const Environment override(
+      "CLOG_PYTHON",
+      interpreter("[ \"$1\" = -c ] && exit 0\necho half > \"$4/report.html\"\nkill -9 $$"));
+  EXPECT_THAT(refusal([&] { make_report(here_, here_ / "report"); }),
+              AllOf(HasSubstr("report: no figures ("), HasSubstr("ended by signal 9, Killed")));
+  EXPECT_EQ(text_of(here_ / "report" / "report.html"), "older");
+  EXPECT_EQ(files_in(here_ / "report"), std::vector<std::string>{"report.html"});
+}
+
+// The caller is killed while its script draws on: the next call leaves the script's folder alone,
+// and one after the script's end clears it.
+TEST_F(Report, what_a_killed_call_left_is_cleared_when_its_script_has_ended) {
+  std::filesystem::create_directories(here_ / "report");
+  const Environment override(
+      "CLOG_PYTHON",
+      interpreter("[ \"$1\" = -c ] && exit 0\n"
+                  "[ ! -e \"$3/wait\" ] || { mkfifo \"$3/end\"; read x < \"$3/end\"; }\n"
+                  "echo page > \"$4/report.html\"\necho \"wrote $4/report.html\""));
+  std::ofstream(here_ / "wait") << "";
+  const pid_t killed = fork();
+  if (killed == 0) {
+    make_report(here_, here_ / "report");
+    _exit(0);
+  }
+  for (int k = 0; k < 2000 && !std::filesystem::exists(here_ / "end"); ++k) usleep(5000);
+  kill(killed, SIGKILL);
+  waitpid(killed, nullptr, 0);
+  std::filesystem::remove(here_ / "wait");
+  make_report(here_, here_ / "report");
+  EXPECT_THAT(files_in(here_ / "report"),
+              testing::ElementsAre(".drawing.clog.part", ".drawing.clog.part.d", "report.html"));
+  std::ofstream(here_ / "end") << "now\n";
+  const auto left = here_ / "report" / ".drawing.clog.part.d" / "report.html";
+  for (int k = 0; k < 2000 && !std::filesystem::exists(left); ++k) usleep(5000);
+  for (int k = 0; k < 400 && files_in(here_ / "report").size() > 1; ++k)
+    make_report(here_, here_ / "report");
+  EXPECT_THAT(files_in(here_ / "report"), testing::ElementsAre("report.html"));
 }
 
 /// A run whose passages come at these times [s]; T_min is 3.3 ms.
@@ -162,12 +218,9 @@ TEST_F(Report, foreign_text_is_no_markup_in_the_page_and_no_mathematics_in_a_fig
 }
 
 TEST_F(Report, a_missing_module_is_named) {
-  std::filesystem::create_directories(here_);
-  const auto python = here_ / "python3";
-  std::ofstream(python)
-      << "#!/bin/sh\necho \"ModuleNotFoundError: No module named 'h5py'\" >&2\nexit 1\n";
-  std::filesystem::permissions(python, std::filesystem::perms::owner_all);
-  const Environment override("CLOG_PYTHON", python.string());
+  const Environment override(
+      "CLOG_PYTHON",
+      interpreter("echo \"ModuleNotFoundError: No module named 'h5py'\" >&2\nexit 1"));
   EXPECT_THAT(refusal([&] { make_report(here_, here_); }),
               AllOf(HasSubstr("No module named 'h5py'"),
                     HasSubstr("apt-get install python3-matplotlib python3-h5py")));
