@@ -164,10 +164,10 @@ void choose_step(Model& model, const std::vector<Particle>& initial) {
   if (model.dt == 0) {
     require(speed > 0, "time.step is missing (nothing moves in this scene, so no contact time can be "
                        "derived): give time.step, e.g. \"1e-7 s\"");
-    double largest = s.time.step_fraction * model.contact_time;
+    // Whatever the end: a run that is lengthened goes on with the step it began with.
+    model.dt = s.time.step_fraction * model.contact_time;
     if (s.time.contact_limit_share > 0)
-      largest = std::min(largest, s.time.contact_limit_share * expected_limits(model, initial).contacts);
-    model.dt = s.time.end / std::ceil(s.time.end / largest);
+      model.dt = std::min(model.dt, s.time.contact_limit_share * expected_limits(model, initial).contacts);
   }
   require(s.time.end / model.dt < most_steps,
           "time.end = {} s (would take {:.2g} steps of {:.3g} s, more than {:.0g}): lower it, or let the step be longer",
