@@ -80,6 +80,7 @@ RunData Simulation::run(const Watcher& watcher) {
     watch_step();
     advance();
   }
+  data_.end_state = save_end();
   compute_forces();
   record();
   sample_snapshot();

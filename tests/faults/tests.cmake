@@ -1,5 +1,5 @@
 clog_tests(test_exact_restart
-  SOURCES faults/test_exact_restart.cpp
+  SOURCES faults/test_exact_restart.cpp faults/test_lengthened.cpp
   LIBRARIES clog_dem LABELS faults)
 clog_tests(test_killed
   SOURCES faults/test_killed.cpp faults/test_states.cpp faults/test_disk.cpp faults/test_rescaled_run.cpp
@@ -19,3 +19,8 @@ clog_tests(test_until
   LIBRARIES clog_dem clog_postprocess LABELS faults)
 target_compile_definitions(test_until PRIVATE CLOG_PROGRAM="$<TARGET_FILE:clog>")
 add_dependencies(test_until clog)
+clog_tests(test_longer_calls
+  SOURCES faults/test_longer_calls.cpp
+  LIBRARIES clog_dem LABELS faults)
+target_compile_definitions(test_longer_calls PRIVATE CLOG_PROGRAM="$<TARGET_FILE:clog>")
+add_dependencies(test_longer_calls clog)
