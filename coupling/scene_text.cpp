@@ -25,7 +25,7 @@ std::string in_quotes(const std::string& text) {
 
 std::string number_text(double value, Dimension dimension) {
   if (dimension == dimension::number) return fmt::format("{}", value);
-  return in_quotes(format_quantity(value, dimension));
+  return in_quotes(si_quantity(value, dimension));
 }
 
 // The value as TOML, or nothing where the value is one that means "not used": such a value lies

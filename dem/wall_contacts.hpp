@@ -21,8 +21,8 @@ struct WallLaws {
 };
 
 /// Two lists, made anew together with the pair list: particles that can meet only the inside of a
-/// flat patch (a plane: the SIMD kernel), and particles near an edge or corner (triangle by
-/// triangle). A contact is the same as in the last step if its place on the wall is, whatever
+/// flat patch (a plane: the SIMD kernel), and particles near an edge or corner, or where a wall curves
+/// (triangle by triangle, facets of a curved wall joined). A contact is the same as in the last step if its place on the wall is, whatever
 /// triangle it is on: so springs survive a sphere's way across an edge, and from one list into the
 /// other.
 class WallContacts {
@@ -62,10 +62,11 @@ public:
     Vec3 normal;
     double overlap;  ///< [m]
     Springs<double> springs;
+    double share = 1;  ///< of the loads, see join_touches [-]
 
     template <class Archive>
     void exchange(Archive& archive) {
-      archive(particle, point, normal, overlap, springs);
+      archive(particle, point, normal, overlap, springs, share);
     }
   };
   std::vector<Touch> touches(const Particles& particles) const;
@@ -75,6 +76,7 @@ public:
     int particle;
     Vec3 normal;
     double width;  ///< >= 0 [m]
+    double share;  ///< of the film's force, see join_touches [-]
   };
   std::vector<Gap> gaps(const Particles& particles, double widest) const;
 
@@ -97,6 +99,16 @@ private:
       archive(particle, triangles);
     }
   };
+
+  /// What may be met near one particle.
+  struct Nearby {
+    std::vector<int> triangles;
+    std::vector<int> planes;  ///< patches that are met in their inside only
+  };
+  Nearby nearby(const Vec3& centre, double radius) const;
+
+  /// Where a particle is near edges, corners and curved walls; into `found`.
+  void points_near(const Corner& corner, const Particles& particles, double widest, std::vector<WallPoint>& found) const;
 
   WallSurface surface_;
   WallBins bins_;

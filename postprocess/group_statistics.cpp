@@ -7,6 +7,7 @@
 
 #include "coupling/channel_geometry.hpp"
 #include "coupling/content_hash.hpp"
+#include "coupling/readable_scene.hpp"
 #include "postprocess/event_statistics.hpp"
 #include "postprocess/fit_json.hpp"
 #include "postprocess/quantities.hpp"
@@ -140,7 +141,7 @@ json group_statistics(const RunGroup& group, const StatisticsRequest& request) {
                     {"releases", record.releases}});
   }
   json result{
-      {"scene", group.scene_text},
+      {"scene", readable_scene(group.scene_text)},
       {"scene_hash", content_hash(group.scene_text)},
       {"geometry", geometry(group.scene)},
       {"protocol", group.scene.unclog.protocol == UnclogProtocol::release ? "release" : "none"},

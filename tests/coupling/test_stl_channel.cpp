@@ -194,7 +194,7 @@ TEST(StlChannel, RefusesOpeningsThatAreNotNamedOrNotInPlace) {
 TEST(StlChannel, ComparesTheScaleAndWhatElseTheSceneSays) {
   const StlScene file(paper_stl());
   EXPECT_THAT(file.refused({"geometry.stl_unit=1 mm"}),
-              AllOf(HasSubstr("neck_width"), HasSubstr("it is 0.1 m, counted in units of 0.001 m: is "
+              AllOf(HasSubstr("neck_width"), HasSubstr("it is 100 mm, counted in units of 0.001 m: is "
                                                        "geometry.stl_unit right?")));
   EXPECT_THAT(file.refused({"geometry.neck_width=90 um"}), HasSubstr("geometry.neck_width"));
   EXPECT_THAT(file.refused({"geometry.channel_width=500 um"}), HasSubstr("geometry.channel_width"));
