@@ -122,7 +122,8 @@ void build_walls(Model& model, const FlowGrid* flow) {
   }
   if (!s.geometry.present) return;
   if (is_channel(s)) {
-    const Walls channel = flow ? flow->walls : is_stl_channel(s) ? read_stl_channel(s).walls : channel_walls(s);
+    // A flow serves channels of other lengths; walls from a file lie in it, whatever became of the file.
+    const Walls channel = !is_stl_channel(s) ? channel_walls(s) : flow ? flow->walls : read_stl_channel(s).walls;
     model.walls.insert(model.walls.end(), channel.begin(), channel.end());
     const Walls end = cross_wall(channel_start(s), s.geometry.channel_width, s.geometry.neck_height, 1);
     model.walls.insert(model.walls.end(), end.begin(), end.end());
