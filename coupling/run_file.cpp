@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "coupling/hdf5_file.hpp"
+#include "coupling/provenance_record.hpp"
 #include "coupling/require.hpp"
 #include "coupling/snapshot_index.hpp"
 
@@ -228,8 +229,7 @@ RunData read_run_file(const std::filesystem::path& file) {
   run.end_time = end_time[0];
   run.seed = seed[0];
   run.scene_text = in.read_text("/provenance/scene");
-  run.provenance = nlohmann::json::parse(in.read_text("/provenance/record"), nullptr, false);
-  in.check(!run.provenance.is_discarded(), "/provenance/record is no JSON");
+  run.provenance = read_record(in);
   const std::string wrong = fault(run);
   in.check(wrong.empty(), wrong);
   return run;
