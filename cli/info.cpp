@@ -15,6 +15,7 @@
 #include "coupling/require.hpp"
 #include "coupling/run_file.hpp"
 #include "coupling/scene.hpp"
+#include "coupling/shown_text.hpp"
 
 namespace clog::cli {
 namespace {
@@ -33,20 +34,19 @@ std::string micrometres(double length) { return fmt::format("{:.4g} um", 1e6 * l
 void print_record(const nlohmann::json& record) {
   if (!record.is_object()) return;
   for (const auto& [key, value] : record.items()) {
-    std::string text = value.is_string() ? value.get<std::string>() : value.dump();
     constexpr std::size_t longest = 100;
-    if (text.size() > longest) text = text.substr(0, longest) + "...";
-    std::ranges::replace(text, '\n', ' ');
-    fmt::print("  {}: {}\n", key, text);
+    fmt::print("  {}: {}\n", shown_text(key, longest),
+               shown_text(value.is_string() ? value.get<std::string>() : value.dump(), longest));
   }
 }
 
 void print_scene(const std::string& effective) {
   const std::string text = readable_scene(effective);
+  constexpr std::size_t longest = 1000;  // the seeds may be many
   fmt::print("made for this scene:\n");
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
-    fmt::print("  {}\n", text.substr(at, end - at));
+    fmt::print("  {}\n", shown_text(std::string_view(text).substr(at, end - at), longest));
     at = end + 1;
   }
 }
@@ -67,7 +67,7 @@ void print_flow(const FlowGrid& grid, const std::string& name) {
   fmt::print("fluid at {:.1f} % of the points; fastest {:.4g} mm/s\n",
              100.0 - 100.0 * static_cast<double>(solid) / static_cast<double>(grid.solid.size()),
              1e3 * fastest);
-  fmt::print("walls: {} triangles\nhash: {}\nwhere it comes from:\n", grid.walls.size(), grid.hash);
+  fmt::print("walls: {} triangles\nhash: {}\nwhere it comes from:\n", grid.walls.size(), shown_text(grid.hash));
   print_record(grid.provenance);
   print_scene(grid.scene_text);
 }
@@ -127,7 +127,7 @@ void print_info(const InfoOptions& options) {
   const std::string name = options.file.string();
   if (format.name == "clogflow flow") return print_flow(read_flow_grid(options.file), name);
   if (format.name == "clogflow run") return print_run(read_run_file(options.file), name);
-  fmt::print("{}: a \"{}\" file, version {}\n", name, format.name, format.version);
+  fmt::print("{}: a \"{}\" file, version {}\n", name, shown_text(format.name), format.version);
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : 2;
   } catch (const std::exception& error) {
     // An empty text: another rank of the same job has said it.
-    if (*error.what()) clog::cli::put(stderr, fmt::format("clog: {}\n", error.what()));
+    if (*error.what()) clog::cli::put(stderr, fmt::format("clog: {}\n", clog::Error(error.what()).what()));
     return 1;
   }
 }

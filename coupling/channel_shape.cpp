@@ -180,6 +180,12 @@ double narrowing_length(const Scene& scene) {
                   narrowing(scene, angle_below(scene)));
 }
 
+double solved_length(const Scene& scene) {
+  constexpr double shortest_widths = 0.5;
+  const double widest = std::max(scene.geometry.channel_width, scene.geometry.neck_height);
+  return std::clamp(scene.geometry.channel_length, shortest_widths * widest, development_widths * widest);
+}
+
 double channel_start(const Scene& scene) {
   return -(narrowing_length(scene) + scene.geometry.channel_length);
 }

@@ -2,6 +2,7 @@
 #include "coupling/hdf5_guard.hpp"
 #include "coupling/hdf5_library.hpp"
 #include "coupling/require.hpp"
+#include "coupling/shown_text.hpp"
 
 namespace clog {
 namespace {
@@ -58,7 +59,7 @@ Hdf5Reader::Hdf5Reader(const std::filesystem::path& file, const FileFormat& form
       size_(static_cast<double>(std::filesystem::file_size(file))) {
   const FileFormat found = file_format(file);
   require(found.name == format.name, "{} (is a \"{}\" file, a \"{}\" file is needed)",
-          file.string(), found.name, format.name);
+          file.string(), shown_text(found.name), format.name);
   require(found.version == format.version,
           "{} (has version {} of \"{}\", this program reads version {})", file.string(),
           found.version, format.name, format.version);
@@ -97,7 +98,7 @@ Hdf5Array<T> Hdf5Reader::read(const std::string& dataset, const std::string& uni
   const Hdf5Handle data = open_dataset(dataset);
   const std::string found = text_attribute(dataset, "unit");
   check(found == unit,
-        fmt::format("{} has the unit \"{}\" (must be \"{}\")", dataset, found, unit));
+        fmt::format("{} has the unit \"{}\" (must be \"{}\")", dataset, shown_text(found), unit));
   const Hdf5Handle type = type_handle(H5Dget_type(data.id()));
   check(type.valid() && same_class<T>(type.id()),
         fmt::format("{} (must hold {} of at most {} bytes)", dataset,

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "coupling/hdf5_file.hpp"
+#include "coupling/provenance_record.hpp"
 #include "coupling/require.hpp"
 #include "coupling/snapshot_index.hpp"
 
@@ -240,8 +241,7 @@ void read_head(const Hdf5Reader& in, RunData& run) {
   run.end_time = end_time[0];
   run.seed = seed[0];
   run.scene_text = in.read_text("/provenance/scene");
-  run.provenance = nlohmann::json::parse(in.read_text("/provenance/record"), nullptr, false);
-  in.check(run.provenance.is_object() || run.provenance.is_null(), "/provenance/record is no JSON object");
+  run.provenance = read_record(in);
 }
 
 }  // namespace

@@ -205,6 +205,8 @@ bool is_section(std::string_view path) {
 }
 
 std::string_view nearest_key(std::string_view path) {
+  // Twice as long as any of ours: what comes after makes no difference to which is nearest.
+  path = path.substr(0, 80);
   // A right name in a wrong section must win over a similar path, hence the second measure.
   const auto distance = [path](const Key& key) {
     const std::size_t leaf = edit_distance(last_name(path), last_name(key.path));

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "coupling/require.hpp"
+#include "coupling/shown_text.hpp"
 
 namespace clog {
 namespace {
@@ -186,12 +187,8 @@ std::string whole_text(const toml::node& value) {
 }  // namespace
 
 std::string shown_value(const toml::node& value) {
-  std::string text = whole_text(value);
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < ' ') c = ' ';
   constexpr std::size_t longest = 80;
-  if (text.size() > longest) text = text.substr(0, longest) + "...";
-  return text;
+  return shown_text(whole_text(value), longest);
 }
 
 void set_value(const Key& key, const toml::node& value, Scene& scene) {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "coupling/channel_shape.hpp"
 #include "coupling/foam_mesh.hpp"
 #include "coupling/require.hpp"
 #include "coupling/stl.hpp"
@@ -12,10 +13,6 @@
 
 namespace clog {
 namespace {
-
-// Disturbances of the narrowing die out upstream like exp(-2 pi x / width), so 1.25 widths leave
-// 4e-4.
-constexpr double development_widths = 1.25;
 
 // Cells are small where the section is less than this many times the neck's.
 constexpr double refined_sections = 3;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "coupling/require.hpp"
+#include "coupling/shown_text.hpp"
 
 namespace clog {
 namespace {
@@ -213,6 +214,8 @@ double read_decimal(std::string_view text, NumberText number, const Unit& unit,
 }  // namespace
 
 Quantity parse_quantity(std::string_view whole) {
+  require(whole.size() <= longest_shown, "\"{}\" (must be a number and a unit, e.g. \"33 um\")",
+          shown_text(whole));
   const std::string spelled = plain_spelling(std::string(whole));
   std::string_view text = spelled;
   while (text.starts_with(' ') || text.starts_with('\t')) text.remove_prefix(1);

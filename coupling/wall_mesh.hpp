@@ -10,8 +10,9 @@
 
 namespace clog {
 
-/// Corners that differ by less than this share of the largest extent are one: single precision, in which programs
-/// write their files, rounds by 6e-8 of a coordinate, and seams that were computed twice by some times that.
+/// Corners that differ by less than this share of the largest extent are one: single precision, in
+/// which programs write their files, rounds by 6e-8 of a coordinate, and seams that were computed
+/// twice by some times that.
 constexpr double weld_share = 1e-6;
 
 /// Facets that say nothing, left out. Numbers count from 1.
@@ -24,9 +25,9 @@ struct LeftOut {
   std::string words() const;
 };
 
-/// Walls as they came, but for their corners, which are joined, and for facets that are left out: without area,
-/// because a corner lies within the tolerance of another or of the side between the two others, or with the corners of
-/// an earlier one, turned alike or not.
+/// Walls as they came, but for their corners, which are joined, and for facets that are left out:
+/// without area, because a corner lies within the tolerance of another or of the side between the
+/// two others, or with the corners of an earlier one, turned alike or not.
 struct JoinedWalls {
   WeldedCorners welded;
   std::vector<int> source;  ///< number that each had in the walls given, from 0
@@ -39,9 +40,9 @@ struct JoinedWalls {
 /// \throws Error if the tolerance is larger than the triangles
 JoinedWalls join_corners(const Walls& walls, double tolerance);
 
-/// Triangles that meet have common corner numbers and whole common edges: where a corner lies on the edge
-/// of another triangle, that triangle is cut there, so the way in which a file cuts a surface does not
-/// matter.
+/// Triangles that meet have common corner numbers and whole common edges: where a corner lies on
+/// the edge of another triangle, that triangle is cut there, so the way in which a file cuts a
+/// surface does not matter.
 struct WallMesh {
   Walls triangles;
   std::vector<std::array<int, 3>> corner;  ///< corner numbers of each triangle
@@ -59,8 +60,8 @@ inline WallMesh join_walls(const Walls& walls) { return join_walls(walls, weld_l
 
 /// A closed way along edges that belong to one triangle alone: the surface is open there.
 struct WallRim {
-  double length = 0;           ///< [m]
-  Vec3 place = Vec3::Zero();   ///< one of its corners [m]
+  double length = 0;          ///< [m]
+  Vec3 place = Vec3::Zero();  ///< one of its corners [m]
 };
 
 /// The shortest first.

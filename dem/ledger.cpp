@@ -50,7 +50,7 @@ double seconds_now() {
 }
 
 void Ledger::append(const LedgerEntry& entry) const {
-  const int number = ::open(file_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  const int number = ::open(file_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   if (number < 0) refuse(file_);
   const Descriptor descriptor{number};
   // Where there are no locks, appending at once is as whole as the system makes it.
@@ -58,8 +58,12 @@ void Ledger::append(const LedgerEntry& entry) const {
   }
   struct stat before{};
   if (::fstat(number, &before) != 0) refuse(file_);
+  // A process that was killed in the middle leaves a line without its end.
+  char last = '\n';
+  if (before.st_size > 0 && ::pread(number, &last, 1, before.st_size - 1) != 1) refuse(file_);
+  const char* begin = before.st_size == 0 ? header : last == '\n' ? "" : "\n";
   const std::string line =
-      fmt::format("{}{},{},{},{},{:.3f},{:.3f},{},\"{}\"\n", before.st_size == 0 ? header : "", launch_.call,
+      fmt::format("{}{},{},{},{},{:.3f},{:.3f},{},\"{}\"\n", begin, launch_.call,
                   launch_.rank, launch_.host, entry.seed, entry.began, entry.ended, entry.outcome, entry.point);
   const ssize_t written = ::write(number, line.data(), line.size());
   if (written == static_cast<ssize_t>(line.size())) return;

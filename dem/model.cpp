@@ -152,14 +152,15 @@ void build_walls(Model& model, const FlowGrid* flow) {
   if (!s.geometry.present) return;
   if (is_channel(s)) {
     Walls channel;
-    if (flow) {
+    // A flow serves channels of other lengths; walls from a file lie in it, whatever became of the file.
+    if (!is_stl_channel(s)) {
+      channel = channel_walls(s);
+    } else if (flow) {
       channel = flow->walls;
-    } else if (is_stl_channel(s)) {
+    } else {
       const auto measured = read_stl_channel(s);
       channel = measured->walls;
       model.walls_note = measured->note;
-    } else {
-      channel = channel_walls(s);
     }
     model.walls.insert(model.walls.end(), channel.begin(), channel.end());
     const Walls end = cross_wall(channel_start(s), s.geometry.channel_width, s.geometry.neck_height, 1);

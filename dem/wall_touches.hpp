@@ -15,13 +15,12 @@ struct WallPoint {
   double share = 1;  ///< of the loads of a contact of its own [-]
 };
 
-/// Two touches whose normals turn by less than 30.7 degrees are one: facets of one curved wall, as
-/// a round pore of 12 or more has them. Its cosine [-].
-inline constexpr double one_touch = 0.86;
+/// Two touches whose normals turn by less than 25.8 degrees are one: facets of one curved wall, as a round
+/// pore of 14 or more has them. Its cosine [-].
+inline constexpr double one_touch = 0.9;
 
-/// From 43.9 degrees on they are two, as in the corner of a box, at a chamfer or a narrowing. Its
-/// cosine [-].
-inline constexpr double two_touches = 0.72;
+/// From 29.5 degrees on they are two, as in the corner of a box, at a chamfer or a narrowing. Its cosine [-].
+inline constexpr double two_touches = 0.87;
 
 /// A concave wall of facets touches a sphere once for each facet whose plane it reaches, about
 /// R / (R - r) times in a pore of radius R however fine the facets are; the surface that they stand

@@ -205,6 +205,41 @@ TEST(HostileHdf5, ManyNamesOfTheSameBytes) {
               AllOf(StartsWith(file.string()), HasSubstr("unpacks to more than")));
 }
 
+std::filesystem::path run_with_record(const std::string& name, const std::string& record) {
+  return changed_run(name, [&](hid_t file) {
+    H5Ldelete(file, "/provenance/record", H5P_DEFAULT);
+    const hid_t text = H5Tcopy(H5T_C_S1);
+    H5Tset_size(text, record.size());
+    const hid_t space = H5Screate(H5S_SCALAR);
+    const hid_t data =
+        H5Dcreate2(file, "/provenance/record", text, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    ASSERT_GE(H5Dwrite(data, text, H5S_ALL, H5S_ALL, H5P_DEFAULT, record.data()), 0);
+    H5Dclose(data);
+  });
+}
+
+TEST(HostileHdf5, ARecordNestedDeep) {
+  std::string record;
+  for (int k = 0; k < 100'000; ++k) record += "[";
+  for (int k = 0; k < 100'000; ++k) record += "]";
+  for (const std::string& text : {record, "{\"host\": " + record + "}"}) {
+    const auto file = run_with_record("deep.h5", text);
+    EXPECT_THAT(read_refusal(file), AllOf(StartsWith(file.string()), HasSubstr("nested too deep")));
+  }
+}
+
+TEST(HostileHdf5, ARecordOfAnotherKind) {
+  for (const auto& [record, reason] :
+       {std::pair("[1, 2]", "/provenance/record is no JSON object"),
+        {"{\"wall_time_s\": \"long\"}", "wall_time_s is no number"},
+        {"{\"particle_steps\": null}", "particle_steps is no number"},
+        {"{\"inputs_hash\": 1}", "inputs_hash is no text"},
+        {"{\"inputs", "is no JSON"}}) {
+    const auto file = run_with_record("kind.h5", record);
+    EXPECT_THAT(read_refusal(file), AllOf(StartsWith(file.string()), HasSubstr(reason)));
+  }
+}
+
 TEST(HostileHdf5, PipesAndDevicesAreNotOpened) {
   const auto pipe = temporary("pipe.h5");
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
