@@ -10,6 +10,8 @@
 #include "coupling/content_hash.hpp"
 #include "coupling/flow_grid.hpp"
 #include "coupling/hdf5_file.hpp"
+#include "coupling/publish_file.hpp"
+#include "coupling/readable_scene.hpp"
 #include "coupling/require.hpp"
 #include "coupling/run_file.hpp"
 #include "coupling/scene.hpp"
@@ -19,7 +21,7 @@ namespace clog::cli {
 namespace {
 
 struct InfoOptions {
-  std::filesystem::path file;
+  std::filesystem::path file, out;
   Overrides overrides;
   bool effective = false;
   bool flow_hash = false;
@@ -38,7 +40,8 @@ void print_record(const nlohmann::json& record) {
   }
 }
 
-void print_scene(const std::string& text) {
+void print_scene(const std::string& effective) {
+  const std::string text = readable_scene(effective);
   constexpr std::size_t longest = 1000;  // the seeds may be many
   fmt::print("made for this scene:\n");
   for (std::size_t at = 0; at < text.size();) {
@@ -102,16 +105,19 @@ void print_scene_file(const InfoOptions& options) {
   } else if (options.flow_inputs) {
     fmt::print("{}", flow_inputs(scene));
   } else if (options.effective) {
-    fmt::print("{}", effective_scene(scene));
+    const std::string text = readable_scene(effective_scene(scene));
+    if (!options.out.empty()) return publish_file(text, options.out);
+    fmt::print("{}", text);
   } else {
     fmt::print("{}: a scene: particles of {} for {:.6g} s, {} seeds\n", options.file.string(),
                micrometres(scene.particles.diameter), scene.time.end, scene.ensemble.seeds.size());
     if (solved) fmt::print("flow: OpenFOAM, hash {}\n", hash);
-    fmt::print("with every default filled in:\n{}", effective_scene(scene));
+    fmt::print("with every default filled in:\n{}", readable_scene(effective_scene(scene)));
   }
 }
 
 void print_info(const InfoOptions& options) {
+  require(options.out.empty() || options.effective, "--out {} (goes with --effective only)", options.out.string());
   if (options.file.extension() == ".toml") return print_scene_file(options);
   require(
       options.overrides.empty() && !options.effective && !options.flow_hash && !options.flow_inputs,
@@ -134,7 +140,8 @@ void add_info(CLI::App& app) {
   verb->add_option("--set", options->overrides, "key=value: overrides the scene")
       ->allow_extra_args(false);
   verb->add_flag("--effective", options->effective,
-                 "of a scene: only the complete scene, as TOML in SI units");
+                 "of a scene: only the complete scene, as TOML");
+  verb->add_option("--out", options->out, "with --effective: the file to write it to");
   verb->add_flag("--flow-inputs", options->flow_inputs, "of a scene: only what decides its flow");
   verb->add_flag("--flow-hash", options->flow_hash, "of a scene: only the name of its flow");
   verb->callback([options] { print_info(*options); });

@@ -201,6 +201,8 @@ void run(const RunOptions& options) {
   const Launch launch = launch_from_environment();
   const auto points = on_every_rank(launch, [&] { return prepare_points(options); });
   EnsembleCall call = call_for(points, options, launch);
+  for (const std::string& line : on_every_rank(launch, [&] { return check_directories(call); }))
+    if (launch.rank == 0) put(stderr, fmt::format("clog: {}\n", line));
   const auto decisions = on_every_rank(launch, [&] { return decide_by(options.until, call); });
   ProgressLine line(launch.rank == 0 && isatty(STDERR_FILENO));
   const EnsembleResult result = run_ensembles(

@@ -64,6 +64,7 @@ std::vector<Key> make_keys() {
       ANGLE(geometry.expansion_angle, "of its walls, from the flow axis; default half_angle"),
       TEXT(geometry.stl, "walls from this STL file instead of the shape above; with neck_width a channel whose inlet and outlet are named"),
       NUMBER(geometry.stl_unit, length, positive, "length that the STL file counts in; default 1 m"),
+      NUMBER(geometry.stl_tolerance, length, non_negative, "corners of the STL file that differ by less along x, y and z are one; default 1e-6 of its largest extent"),
       TEXT(geometry.stl_content, "content hash of the STL file of a channel; default: computed"),
       NUMBER(geometry.inlet_position, length, (Range{.high = 0, .high_allowed = false}), "x of the inlet of an STL channel; default: measured"),
       NUMBER(geometry.outlet_position, length, positive, "x of the outlet of an STL channel; default: measured"),
@@ -138,7 +139,7 @@ std::vector<Key> make_keys() {
       WORD(time.integrator, "drag explicit, or implicit so that it never limits the step, or drag and lubrication both", "verlet", "implicit_drag", "implicit_fluid"),
       SWITCH(time.allow_unstable, "run with a step above its limit, for studies of what that does; default false"),
 
-      NUMBER(passages.plane, length, any, "x that a particle must cross; default the middle of the neck"),
+      NUMBER(passages.plane, length, any, "x that a particle must cross; default the middle of the neck; 0 in a box or between walls from a file: none"),
 
       NUMBER(output.snapshot_interval, time, non_negative, "default 0: no snapshots"),
       NUMBER(output.series_interval, time, positive, "default a tenth of the Stokes time"),

@@ -263,6 +263,6 @@ QuantityWords quantity_words(Dimension d) {
   return {fmt::format("a quantity in {}", si_unit(d)), fmt::format("1 {}", si_unit(d))};
 }
 
-std::string format_quantity(double si, Dimension d) { return fmt::format("{} {}", si, si_unit(d)); }
+std::string si_quantity(double si, Dimension d) { return fmt::format("{} {}", si, si_unit(d)); }
 
 }  // namespace clog

@@ -1,6 +1,8 @@
 #include "dem/ensemble.hpp"
 
 #include <algorithm>
+#include <chrono>
+#include <thread>
 
 #include "dem/ledger.hpp"
 
@@ -17,6 +19,10 @@ const char* word_for(SeedEnd end) {
   }
   return "";
 }
+
+/// To rename a file takes no longer.
+constexpr int most_tries = 500;
+constexpr std::chrono::milliseconds between_tries{10};
 
 /// One rank of the call.
 class Rank {
@@ -39,6 +45,7 @@ public:
 
   EnsembleResult work() {
     const double began = seconds_now();
+    set_aside_what_is_short();
     for (const Job& job : worklist_.done_before()) look_at(job);
     while (const auto claim = worklist_.next()) {
       if (worklist_.without_locks() && !std::exchange(said_without_locks_, true))
@@ -55,6 +62,32 @@ public:
 
 private:
   const Ensemble& ensemble_of(const Job& job) const { return call_.ensembles[job.ensemble]; }
+
+  /// Before any work begins, so that what stands as a run file is done. Rank 0 looks at all, since it must not end
+  /// before others have begun.
+  void set_aside_what_is_short() {
+    const std::vector<Job> jobs = jobs_of(call_.ensembles);
+    const auto [rank, count] = std::pair(call_.launch.rank, static_cast<std::size_t>(call_.launch.count));
+    for (std::size_t k = static_cast<std::size_t>(rank); k < jobs.size(); k += rank == 0 ? 1 : count)
+      set_aside_if_short(ensemble_of(jobs[k]), inputs_[jobs[k].ensemble], jobs[k].seed);
+  }
+
+  static void set_aside_if_short(const Ensemble& ensemble, const std::string& inputs, std::uint64_t seed) {
+    try {
+      const StateOwner owner = owner_of(ensemble, inputs, seed);
+      const auto is_to_go = [&](const std::optional<Done>& done) {
+        return done && done->shorter && done->file != shorter_file(ensemble, seed);
+      };
+      // Who else has the lock is doing the same.
+      for (int tries = 0; is_to_go(find_done(ensemble, owner)) && tries < most_tries; ++tries) {
+        const auto lock = SeedLock::take(run_file(ensemble, seed), "");
+        if (!lock) std::this_thread::sleep_for(between_tries);
+        else if (const auto done = find_done(ensemble, owner); is_to_go(done)) set_aside(ensemble, owner, *done);
+      }
+    } catch (const std::exception&) {
+      // Said when the seed's turn comes.
+    }
+  }
 
   /// What was done before needs no entry, unless it is not what it should be.
   void look_at(const Job& job) {
@@ -120,6 +153,16 @@ private:
 };
 
 }  // namespace
+
+std::vector<std::string> check_directories(const EnsembleCall& call) {
+  std::vector<std::string> lines;
+  for (const Ensemble& ensemble : call.ensembles) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(ensemble.directory, ignored)) continue;
+    if (std::string line = check_directory(ensemble, inputs_hash(ensemble)); !line.empty()) lines.push_back(std::move(line));
+  }
+  return lines;
+}
 
 EnsembleResult run_ensembles(const EnsembleCall& call, const Watcher& watcher, const Reporter& report) {
   return Rank(call, watcher, report).work();

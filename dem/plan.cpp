@@ -126,6 +126,7 @@ void judge_flow(const Scene& s, Plan& plan) {
 Plan make_plan(const Scene& scene) {
   const Model model = make_model(scene, nullptr, read_initial_particles(scene));
   Plan plan;
+  plan.walls_note = model.walls_note;
   judge_fluid(scene, Judge{plan});
   judge_contacts(scene, model, Judge{plan});
   find_limits(scene, model, plan);
@@ -136,6 +137,7 @@ Plan make_plan(const Scene& scene) {
 
 std::vector<std::string> warnings(const Plan& plan) {
   std::vector<std::string> lines;
+  if (!plan.walls_note.empty()) lines.push_back(plan.walls_note);
   for (const PlannedTerm& t : plan.terms) {
     if (t.needed && !t.modelled)
       lines.push_back(fmt::format("{} is needed ({} = {:.3g}) but not modelled", t.term, t.number,

@@ -56,9 +56,10 @@ Simulation::Simulation(const Scene& scene, const FlowGrid* flow, std::uint64_t s
     particle.wx = given.wx, particle.wy = given.wy, particle.wz = given.wz;
     particles_.add(particle);
   }
+  given_ = id;
   largest_radius_ = scene.inlet.enabled ? scene.particles.diameter / 2 : 0;
   for (const ParticleState& p : particles_.states) largest_radius_ = std::max(largest_radius_, p.radius);
-  walls_ = WallContacts(model_.walls, largest_radius_, model_.reach);
+  walls_ = WallContacts(model_.walls, largest_radius_, model_.reach, model_.weld);
   data_.seed = seed;
   data_.scene_text = effective_scene(scene);
   if (flow) data_.provenance["flow_hash"] = flow->hash;
@@ -80,6 +81,7 @@ RunData Simulation::run(const Watcher& watcher) {
     watch_step();
     advance();
   }
+  data_.end_state = save_end();
   compute_forces();
   record();
   sample_snapshot();

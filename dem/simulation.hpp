@@ -60,10 +60,14 @@ public:
   void change_step(double dt);
 
   /// Everything that the next step depends on, and all that was recorded, as bytes; between two
-  /// steps only, that is from a watcher. A simulation of the same scene and seed that resumes from
-  /// it goes on with the same bits.
+  /// steps only, that is from a watcher. A simulation of the same seed that resumes from it goes on with the
+  /// same bits, if its scene differs at most in keys that decide no trajectory (coupling/scene_difference.hpp).
+  /// \throws Error if the bytes are no such state; StateRefused if the run they belong to is another
   std::string save();
   void resume(const std::string& state);
+
+  /// Goes on from RunData::end_state of a finished run, and what it recorded. \throws as resume()
+  void lengthen(RunData done, const std::string& end_state);
 
   /// The loop of run(), in pieces, for tests and studies.
   void fill(const Watcher& watcher);  ///< packs the channel against the gate, then opens it
@@ -118,6 +122,9 @@ private:
   AdvanceTask advance_task();
   /// The first kick leads from time 0 to half a step; all later ones from half step to half step.
   double next_kick() const { return kick_ == 0 ? model_.dt / 2 : model_.dt; }
+  std::string save_end();        ///< for RunData::end_state; what was recorded is left to the run file
+  void take_up(RunData recorded);  ///< fits a state that was read to our scene
+  double next_due(double interval) const;  ///< as if things had been recorded at that interval from the start [s]
   void check_resumed() const;  ///< \throws Error unless a state read is one that a run can have
   void find_passages();
   void set_friction(bool on);
@@ -156,6 +163,7 @@ private:
   ContactTally pair_tally_, wall_tally_;
   std::vector<std::uint8_t> leaving_;
   double largest_radius_ = 0;  // of any particle that will be [m]
+  std::int64_t given_ = 0;     // initial particles, which have the first ids
   RunData data_;
   std::int64_t step_ = 0;
   double kick_ = 0;     // dt, or dt/2 in the very first step: the velocities given are at x_0

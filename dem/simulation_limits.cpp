@@ -63,10 +63,10 @@ std::vector<Film> Simulation::films() const {
   const auto& p = particles_;
   std::vector<Film> films;
   const auto add = [&](int i, int j, const LubricationLaw& law, const Vector<double>& normal, double radius,
-                       double gap) {
+                       double gap, double share = 1) {
     if (gap < 0 || gap > law.farthest || (gap < law.nearest && !law.clamp)) return;
     films.push_back({i, j, normal,
-                     lubrication_coefficient(law.viscosity, radius, std::max(gap, law.nearest))});
+                     share * lubrication_coefficient(law.viscosity, radius, std::max(gap, law.nearest))});
   };
   const auto add_pair = [&](int i, int j) {
     const Vector<double> between = apart(p, i, j);
@@ -82,7 +82,7 @@ std::vector<Film> Simulation::films() const {
   if (law.viscosity > 0 && !walls_.empty())
     for (const auto& wall : walls_.gaps(p, law.farthest))
       add(wall.particle, -1, law, {wall.normal.x(), wall.normal.y(), wall.normal.z()},
-          p[wall.particle].radius, wall.width);
+          p[wall.particle].radius, wall.width, wall.share);
   return films;
 }
 

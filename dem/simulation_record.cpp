@@ -154,6 +154,10 @@ void Simulation::finish() {
   p["insertions_refused"] = inlet_.refused();
   if (say_ && inlet_.shut())
     say_(fmt::format("the inlet found no room for any particle in {} attempts: the channel is full up to it", inlet_.refused()));
+  const std::int64_t left = given_ + inlet_.inserted() - static_cast<std::int64_t>(particles_.size());
+  if (say_ && left > 0 && data_.passages.time.empty())
+    say_(fmt::format("warning: {} particle{} left at the outlet, x = {:.4g} m, and none was counted at passages.plane = {:.4g} m",
+                     left, left > 1 ? "s" : "", model_.domain.outlet, model_.domain.passage));
   if (model_.pair_law.torsion_memory != 1)
     p["experiment"] = "contact.torsion_update = \"doubling\": springs advanced wrongly on purpose";
 }

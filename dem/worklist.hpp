@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dem/launch.hpp"
+#include "dem/seed_files.hpp"
 #include "dem/seed_lock.hpp"
 #include "dem/seed_run.hpp"
 

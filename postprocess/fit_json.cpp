@@ -25,6 +25,14 @@ nlohmann::json number_or_null(double value) {
   return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
 }
 
+nlohmann::json as_json(const Estimate& estimate) {
+  nlohmann::json json{{"value", number_or_null(estimate.value)},
+                      {"low", number_or_null(estimate.low)},
+                      {"high", number_or_null(estimate.high)}};
+  if (!estimate.note.empty()) json["note"] = estimate.note;
+  return json;
+}
+
 nlohmann::json as_json(const RivalTest& test) {
   const char* verdict = test.p_value > 0.1     ? "undecided"
                         : test.log_ratio > 0.0 ? "power law"

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "postprocess/confidence.hpp"
 #include "postprocess/goodness_of_fit.hpp"
 #include "postprocess/power_law.hpp"
 #include "postprocess/rival.hpp"
@@ -13,6 +14,9 @@ namespace clog::postprocess {
 
 /// A number, or null where it is not finite (JSON has no NaN).
 nlohmann::json number_or_null(double value);
+
+/// value, low, high (null where unknown), and the note if there is one.
+nlohmann::json as_json(const Estimate& estimate);
 
 /// What is fitted and how.
 struct FitRequest {

@@ -53,6 +53,11 @@ double goodness_of_fit(const SortedSample& sample, const PowerLawFit& fit,
                                         : share_as_far<ParetoVariates>(sample, fit, bootstrap);
 }
 
+std::string p_in_words(double p_value, std::size_t replicates) {
+  if (p_value == 0) return fmt::format("p < {:.1g}", 1.0 / static_cast<double>(replicates));
+  return fmt::format("p = {:.2g}", p_value);
+}
+
 double p_value_error(double p_value, std::size_t replicates) {
   return std::sqrt(p_value * (1.0 - p_value) / static_cast<double>(replicates));
 }

@@ -15,7 +15,7 @@ constexpr int statistics_version = 1;
 
 /// Of every key that is not a pure number, wherever it stands.
 const nlohmann::json units{{"tau", "s"},         {"t_min", "s"},          {"longest", "s"},
-                           {"xmin", "s"},        {"rate", "1/s"},         {"start", "s"},
+                           {"xmin", "s"}, {"largest_miss_at", "s"},        {"rate", "1/s"},         {"start", "s"},
                            {"end", "s"},         {"filling_time", "s"},   {"wall_time", "s"},
                            {"neck_width", "m"},
                            {"neck_height", "m"}, {"channel_width", "m"},  {"channel_length", "m"},

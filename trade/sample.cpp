@@ -10,6 +10,7 @@
 #include "coupling/require.hpp"
 #include "coupling/run_file.hpp"
 #include "coupling/run_record.hpp"
+#include "postprocess/confidence.hpp"
 #include "postprocess/run_groups.hpp"
 
 namespace clog::trade {

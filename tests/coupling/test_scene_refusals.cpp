@@ -93,7 +93,7 @@ TEST(SceneRefusals, OfValuesThatDisagree) {
       {"geometry.neck_width=1 mm",
        "geometry.neck_width = \"1 mm\" (must not be wider than geometry.channel_width"},
       {"particles.diameter=100 um",
-       "(must be smaller than geometry.neck_width = 0.0001 m, or no particle fits through)"},
+       "(must be smaller than geometry.neck_width = 100 um, or no particle fits through)"},
       {"geometry.neck_height=20 um", "(must be smaller than geometry.neck_height"},
       {"particles.roughness=10 um", "(must be smaller than a quarter of particles.diameter"},
       {"lubrication.cutoff=0.1 um", "(must be larger than 2 particles.roughness"},
@@ -112,7 +112,7 @@ TEST(SceneRefusals, OfValuesThatDisagree) {
 
 TEST(SceneRefusals, OfShapesThatAreImpossible) {
   const std::pair<Overrides, const char*> cases[] = {
-      {{"geometry.neck_rounding=1 mm"}, "geometry.neck_rounding = 0.001 m (the arc does not fit"},
+      {{"geometry.neck_rounding=1 mm"}, "geometry.neck_rounding = 1 mm (the arc does not fit"},
       {{"geometry.channel_width=100 um", "geometry.neck_rounding=10 um"}, "there is no narrowing"},
       {{"geometry.step_width=50 um", "geometry.step_length=1 mm"}, "must lie between neck_width"},
       {{"geometry.step_width=200 um"}, "needs geometry.step_length too"},

@@ -1,5 +1,6 @@
 clog_tests(test_scene_reading
-  SOURCES coupling/test_units.cpp coupling/test_scene.cpp coupling/test_scene_refusals.cpp coupling/test_hostile_scene.cpp coupling/test_sweep.cpp
+  SOURCES coupling/test_units.cpp coupling/test_readable_scene.cpp coupling/test_scene.cpp coupling/test_scene_refusals.cpp
+          coupling/test_hostile_scene.cpp coupling/test_sweep.cpp
   LIBRARIES clog_coupling LABELS unit)
 clog_tests(test_flow_case
   SOURCES coupling/test_channel_geometry.cpp coupling/test_duct_flow.cpp

@@ -118,6 +118,16 @@ TEST(Stats, threshold_needs_a_time) {
   EXPECT_EQ(clog({"stats", "."}).status, 2);
 }
 
+TEST(Info, the_effective_scene_into_a_file) {
+  const auto scene = (source_folder() / "scenes" / "paper.toml").string();
+  const auto file = temporary("effective.toml");
+  const auto printed = clog({"info", scene, "--effective"});
+  EXPECT_EQ(clog({"info", scene, "--effective", "--out", file.string()}).status, 0);
+  std::ifstream in(file);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), printed.output);
+  EXPECT_EQ(clog({"info", scene, "--out", file.string()}).status, 1);
+}
+
 TEST(FullDisk, stats_says_why_and_leaves_nothing_unfinished) {
   const auto here = temporary("full");
   write_ensemble(here / "runs", {.mean_burst = 5, .end = 0.3, .more = {}}, 2);

@@ -7,6 +7,7 @@ clog_tests(test_postprocess
     postprocess/test_geometric_law.cpp
     postprocess/test_number_column.cpp
     postprocess/test_power_law.cpp
+    postprocess/test_quantities.cpp
     postprocess/test_statistics_files.cpp
     postprocess/test_stopping_rule.cpp
     postprocess/test_sweeps.cpp
