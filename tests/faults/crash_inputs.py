@@ -1,5 +1,6 @@
 """A scene and a solved flow case that cost nothing: plug flow in the places that the case asks for."""
 
+import json
 import math
 import pathlib
 import re
@@ -38,11 +39,11 @@ after = "3 ms"
 mass_scale = 10
 rotational_inertia_scale = 5
 step_fraction = 0.04
-end = "8 ms"
+end = "6 ms"
 [output]
 snapshot_interval = "4 ms"
 series_interval = "1 ms"
-checkpoint_interval = "3 ms"
+checkpoint_interval = "1 us"
 [ensemble]
 seeds = "1-2"
 """
@@ -92,11 +93,38 @@ def pretend_solved(case):
     (case / "solved").write_text((case / "hash").read_text())
 
 
+STUDY = {"format": "clogflow trade 1", "diameter": 33e-6, "reference": "a",
+         "settings": [{"name": "a", "kind": "numerics", "overrides": [], "gain": 1, "error": 0, "hidden": 0,
+                       "step_over_limit": 0.5}]}
+
+
+# The real scripts take seconds a call and write their files as these do.
+PYTHON = """#!/bin/sh
+[ "$1" = -c ] || exec /usr/bin/python3 "$@"
+"""
+MAKE_REPORT = """import pathlib, sys
+pathlib.Path(sys.argv[2]).mkdir(parents=True, exist_ok=True)
+for name, content in ("series.png", bytes(300000)), ("series.svg", b"<svg/>"), ("report.html", b"<html></html>"):
+    file = pathlib.Path(sys.argv[2]) / name
+    file.write_bytes(content)
+    print("wrote", file)
+"""
+
+
+def stand_in_figures(folder):
+    folder.mkdir()
+    (folder / "make_report.py").write_text(MAKE_REPORT)
+    (folder / "python").write_text(PYTHON)
+    (folder / "python").chmod(0o755)
+
+
 def make(clog, folder):
-    """scene.toml, case/ (solved), flow.h5 and runs/ in a folder."""
+    """scene.toml, case/ (solved), flow.h5, runs/, stats/, trade.json and figures/ in a folder."""
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True)
     (folder / "scene.toml").write_text(SCENE)
+    stand_in_figures(folder / "figures")
+    (folder / "trade.json").write_text(json.dumps(STUDY))
     for words in (["case", "scene.toml", "case"], ["map", "case", "--out", "flow.h5"],
                   ["run", "scene.toml", "--flow", "flow.h5", "--out", "runs"],
                   ["stats", "runs", "--out", "stats", "--p-value", "0"]):

@@ -12,10 +12,10 @@ import crash_inputs
 class Verb:
     words: list
     makes: str  # a file or a folder
-    before: typing.Callable = lambda folder, clog: None  # puts an older result in its place
+    before: typing.Optional[typing.Callable] = None  # puts an older result in its place
     places: int = 24  # at which the call is killed
     full: int = 6  # and at which the disk fills
-    only: str = ""  # acts on such files alone
+    environment: dict = dataclasses.field(default_factory=dict)
 
 
 def other_scene(folder):
@@ -55,9 +55,9 @@ VERBS = {
     "walls": Verb(["walls", "scene.toml", "--out", "out.stl"], "out.stl", older_text("out.stl")),
     "case": Verb(["case", "scene.toml", "out"], "out", older_case),
     "map": Verb(["map", "case", "--out", "out.h5"], "out.h5", older_flow),
-    "run": Verb(["run", "scene.toml", "--flow", "flow.h5", "--out", "out"], "out"),
+    "run": Verb(["run", "scene.toml", "--flow", "flow.h5", "--out", "out"], "out", places=30, full=12),
     "stats": Verb(["stats", "runs", "--out", "out", "--p-value", "0"], "out", older_statistics),
-    # Two seconds a call: its figures are written by the same lines of Python as the page.
-    "report": Verb(["report", "stats", "--out", "out"], "out", older_text("out/report.html"), places=4, full=1,
-                   only="report.html"),
+    "trade": Verb(["trade", "--combine", "trade.json", "--out", "out.json"], "out.json", older_text("out.json")),
+    "report": Verb(["report", "stats", "--out", "out"], "out", older_text("out/report.html"),
+                   environment={"CLOG_PYTHON": "figures/python", "CLOG_FIGURES": "figures"}),
 }

@@ -24,3 +24,14 @@ clog_tests(test_longer_calls
   LIBRARIES clog_dem LABELS faults)
 target_compile_definitions(test_longer_calls PRIVATE CLOG_PROGRAM="$<TARGET_FILE:clog>")
 add_dependencies(test_longer_calls clog)
+
+# The sanitizers must be the first library of a program, and the preloaded one would be.
+if(NOT CLOG_SANITIZE)
+  add_library(crash_shim MODULE faults/crash_shim.c)
+  target_compile_options(crash_shim PRIVATE -Wall -Wextra)
+  foreach(verb walls case map run stats report trade)
+    add_test(NAME crash_points.${verb} COMMAND /usr/bin/python3 -B ${CMAKE_CURRENT_SOURCE_DIR}/faults/crash_points.py
+             $<TARGET_FILE:clog> $<TARGET_FILE:crash_shim> ${verb})
+    set_tests_properties(crash_points.${verb} PROPERTIES LABELS faults TIMEOUT ${test_time_limit})
+  endforeach()
+endif()
