@@ -30,15 +30,18 @@ void write_map(const MapOptions& options) {
       100 * lookup["nearest_in_neck"].get<double>(),
       1e-6 * static_cast<double>(sizeof(float) * grid.velocity.size() + grid.solid.size()));
   if (const auto drop = channel_pressure_drop(grid, read_scene(options.folder / "scene.toml")))
-    fmt::print("pressure drop from the inlet of the scene's channel: {:.4g} Pa, {:.4g} Pa of it in what was solved\n", *drop,
-               grid.provenance["pressure_drop"].get<double>());
+    fmt::print(
+        "pressure drop from the inlet of the scene's channel: {:.4g} Pa, {:.4g} Pa of it in what "
+        "was solved\n",
+        *drop, grid.provenance["pressure_drop"].get<double>());
   if (!grid.provenance.contains("mesh_error")) return;
   const auto percent = [&](const char* key) {
     return 100 * grid.provenance["mesh_error"][key].get<double>();
   };
   fmt::print(
       "{}, in % of the neck's mean velocity: "
-      "rms {:.2g}, {:.2g} at 99 of 100 points, at most {:.2g} beside the edge; solved pressure drop "
+      "rms {:.2g}, {:.2g} at 99 of 100 points, at most {:.2g} beside the edge; solved pressure "
+      "drop "
       "{:.4g} Pa within {:.2g} %\n",
       grid.provenance["mesh_error"]["extrapolated"].get<bool>()
           ? "extrapolated from this mesh and a coarser one; error, 1.25 times what that changed"

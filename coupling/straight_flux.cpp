@@ -49,7 +49,8 @@ double plane_flux(const FlowGrid& grid, int i, const ChannelShape& shape) {
 
 double integral_between_walls(const std::vector<double>& values, double before, double behind) {
   const std::size_t n = values.size();
-  const Margin begin = margin(values[0], values[1], before), end = margin(values[n - 1], values[n - 2], behind);
+  const Margin begin = margin(values[0], values[1], before),
+               end = margin(values[n - 1], values[n - 2], behind);
   double sum = (values[0] + values[n - 1]) / 2;
   for (std::size_t i = 1; i + 1 < n; ++i) sum += values[i];
   // The trapezoidal rule and its first correction (Euler-Maclaurin).
@@ -64,12 +65,14 @@ double restore_flow_rate(FlowGrid& grid, const Scene& scene) {
   double largest = 0;
   for (int i = 0; i < grid.points[0]; ++i) {
     const double x = grid.origin.x() + i * grid.spacing;
-    const bool expanded = g.expansion_width > 0 && x > 0 && shape.width(x) > (1 - 1e-9) * g.expansion_width;
+    const bool expanded =
+        g.expansion_width > 0 && x > 0 && shape.width(x) > (1 - 1e-9) * g.expansion_width;
     if (x > bend && !expanded) continue;
     const double flux = plane_flux(grid, i, shape) * grid.spacing * grid.spacing;
     const double error = flux / rate - 1;
     require(std::abs(error) < flux_tolerance,
-            "the flux through x = {} m differs by {:.1f} % from that of the scene (allowed {} %); refine "
+            "the flux through x = {} m differs by {:.1f} % from that of the scene (allowed {} %); "
+            "refine "
             "flow.mesh_cells_per_neck or flow.grid_spacing",
             x, 100 * error, 100 * flux_tolerance);
     largest = std::max(largest, std::abs(error));

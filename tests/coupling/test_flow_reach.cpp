@@ -67,7 +67,8 @@ TEST(StraightFlux, IsExactForAParabolaWhereverItsWallsAre) {
   }
 }
 
-/// Developed flow of the scene before the narrowing, times a wave along x; nothing from the narrowing on.
+/// Developed flow of the scene before the narrowing, times a wave along x; nothing from the
+/// narrowing on.
 FlowGrid wavering_flow(const Scene& scene, double amplitude) {
   FlowGrid grid;
   grid.points = {40, 80, 20};
@@ -102,18 +103,21 @@ TEST(StraightFlux, TakesTheWaverOutBeforeTheNarrowingAndNothingBehind) {
     }
   }
   FlowGrid wrong = wavering_flow(scene, 0.2);
-  EXPECT_THAT(refusal([&] { restore_flow_rate(wrong, scene); }), testing::HasSubstr("the flux through x = "));
+  EXPECT_THAT(refusal([&] { restore_flow_rate(wrong, scene); }),
+              testing::HasSubstr("the flux through x = "));
 }
 
 // A channel ten times as long as it is wide adds what a duct adds.
 TEST(FlowReach, ALongerChannelAddsItsDevelopedPressureDrop) {
-  const Scene solved = flow_scene({"geometry.channel_length=500 um"}), longer = flow_scene({"geometry.channel_length=2.5 mm"});
+  const Scene solved = flow_scene({"geometry.channel_length=500 um"}),
+              longer = flow_scene({"geometry.channel_length=2.5 mm"});
   FlowGrid flow;
   EXPECT_FALSE(channel_pressure_drop(flow, longer));
   flow.provenance["pressure_drop"] = 20.0;
   EXPECT_DOUBLE_EQ(*channel_pressure_drop(flow, solved), 20);
   // 400 x 100 um: f Re = 72.93, D = 160 um; 1.8 mPa s, 5 mm/s, 2 mm.
-  EXPECT_NEAR(*channel_pressure_drop(flow, longer) - 20, 72.93 / 2 / (160e-6 * 160e-6) * 1.8e-3 * 5e-3 * 2e-3, 0.01);
+  EXPECT_NEAR(*channel_pressure_drop(flow, longer) - 20,
+              72.93 / 2 / (160e-6 * 160e-6) * 1.8e-3 * 5e-3 * 2e-3, 0.01);
 }
 
 }  // namespace
