@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "coupling/require.hpp"
-#include "dem/initial_particles.hpp"
+#include "dem/initial_placement.hpp"
 #include "dem/quantile.hpp"
 
 namespace clog {
@@ -35,7 +35,9 @@ constexpr std::int64_t watch_every = 256;
 }  // namespace
 
 Simulation::Simulation(const Scene& scene, const FlowGrid* flow, std::uint64_t seed)
-    : Simulation(scene, flow, seed, read_initial_particles(scene)) {}
+    : Simulation(scene, flow, seed, read_initial_particles(scene)) {
+  check_placement(read_initial_file(scene), model_);
+}
 
 Simulation::Simulation(const Scene& scene, const FlowGrid* flow, std::uint64_t seed,
                        const std::vector<Particle>& initial)
@@ -57,6 +59,7 @@ Simulation::Simulation(const Scene& scene, const FlowGrid* flow, std::uint64_t s
     particles_.add(particle);
   }
   given_ = id;
+  inlet_.number_from(id);
   largest_radius_ = scene.inlet.enabled ? scene.particles.diameter / 2 : 0;
   for (const ParticleState& p : particles_.states) largest_radius_ = std::max(largest_radius_, p.radius);
   walls_ = WallContacts(model_.walls, largest_radius_, model_.reach, model_.weld);
@@ -269,9 +272,10 @@ void Simulation::take_out() {
     }
     const Vec3 place(p[i].x, p[i].y, p[i].z);
     require((place.array() >= d.low.array()).all() && (place.array() <= d.high.array()).all(),
-            "particle {} left the walls at ({:.4g}, {:.4g}, {:.4g}) m, t = {:.6g} s: lower {} or raise "
-            "contact.youngs_modulus",
-            p.id[i], p[i].x, p[i].y, p[i].z, time(), model_.step_key());
+            "particle {} left the walls, which reach from ({:.4g}, {:.4g}, {:.4g}) to ({:.4g}, {:.4g}, {:.4g}) m, at ({:.4g}, {:.4g}, "
+            "{:.4g}) m, t = {:.6g} s: {}",
+            p.id[i], d.low.x(), d.low.y(), d.low.z(), d.high.x(), d.high.y(), d.high.z(), p[i].x, p[i].y, p[i].z, time(),
+            model_.walls_note.empty() ? remedy(p[i]) : "through an opening? " + model_.walls_note);
   }
 }
 

@@ -113,9 +113,15 @@ private:
   void watch_step();     ///< now and then: the limit of the contacts, and energy from nothing
   void look_at_limit();  ///< \throws Error if the run begins above it
   void look_for_shaking();  ///< whether the pack moves between whole steps but not at them
-  void check_overlap() const;  ///< \throws Error if contacts are pressed too deep
+  void check_overlap();  ///< warns of deep contacts. \throws Error if they are pressed too deep
   int fastest() const;  ///< the fastest particle, or the first whose velocity is no number
-  int deepest() const;  ///< a particle of the deepest contact
+  struct Deepest {
+    int particle = 0, other = -1;  ///< other < 0: a wall
+    double overlap = 0;            ///< [m]
+  };
+  Deepest deepest() const;  ///< the deepest contact
+  std::string describe_contact(const Deepest& contact) const;
+  std::string remedy(const ParticleState& worst) const;
   [[noreturn]] void blow_up(const char* cause, int particle) const;
   void add_pair(NetworkLimit& network, int i, int j) const;
   std::vector<Film> films() const;
