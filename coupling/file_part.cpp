@@ -117,10 +117,11 @@ FilePart::~FilePart() {
   ::close(descriptor_);
 }
 
-void FilePart::publish() {
-  if (::fsync(descriptor_) != 0) refuse(file_, last_error());
+void FilePart::publish(NamedWhen named) {
+  if (named == NamedWhen::flushed && ::fsync(descriptor_) != 0) refuse(file_, last_error());
   require_replaceable(file_);
   if (::rename(part_.c_str(), file_.c_str()) != 0) refuse(file_, last_error());
+  if (named == NamedWhen::written && ::fsync(descriptor_) != 0) refuse(file_, last_error());
   // The lock goes with it: nobody takes for a remainder what has its name.
   ::close(descriptor_);
   descriptor_ = -1;

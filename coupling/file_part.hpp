@@ -5,6 +5,10 @@
 
 namespace clog {
 
+/// When a file gets its name. \enum written: at once, for content that proves itself by a checksum and has another
+/// file to fall back on should the power fail; who is about to be killed has no time to wait for the disk.
+enum class NamedWhen { flushed, written };
+
 /// "<file>.clog.part", or "<file>.clog2.part" and so on while another process writes the one
 /// before. It is made anew, never opened through a link, and locked as long as any process has it
 /// open: what a killed process left is known by its free lock and taken away. Where the file system
@@ -22,7 +26,7 @@ public:
   int descriptor() const { return descriptor_; }
 
   /// Flushes it to the disk and gives it its name. \throws Error as above
-  void publish();
+  void publish(NamedWhen named = NamedWhen::flushed);
 
 private:
   bool take(const std::filesystem::path& part);

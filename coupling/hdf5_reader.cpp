@@ -13,7 +13,8 @@ Hdf5Handle open_file(const std::filesystem::path& file) {
   require(std::filesystem::is_regular_file(file), "{} (not a file)", file.string());
   require(H5Fis_hdf5(file.c_str()) > 0, "{} (not an HDF5 file, or cut off)", file.string());
   const Hdf5Handle access = list_handle(H5Pcreate(H5P_FILE_ACCESS));
-  H5Pset_file_locking(access.id(), true, true);
+  // A file that has its name is whole, and network file systems may refuse locks.
+  H5Pset_file_locking(access.id(), false, true);
   Hdf5Handle handle = file_handle(H5Fopen(file.c_str(), H5F_ACC_RDONLY, access.id()));
   require(handle.valid(), "{} (damaged or cut off, or still being written)", file.string());
   return handle;

@@ -10,7 +10,7 @@
 
 namespace clog {
 
-void publish_file(const std::string& content, const std::filesystem::path& file) {
+void publish_file(const std::string& content, const std::filesystem::path& file, NamedWhen named) {
   FilePart part(file);
   for (std::size_t done = 0; done < content.size();) {
     const ssize_t written =
@@ -19,7 +19,7 @@ void publish_file(const std::string& content, const std::filesystem::path& file)
             std::error_code(errno, std::generic_category()).message());
     if (written > 0) done += static_cast<std::size_t>(written);
   }
-  part.publish();
+  part.publish(named);
 }
 
 }  // namespace clog

@@ -4,11 +4,14 @@
 #include <filesystem>
 #include <string>
 
+#include "coupling/file_part.hpp"
+
 namespace clog {
 
 /// Writes it beside (FilePart), flushes it to the disk, renames it. On failure an older file of
 /// that name is untouched and nothing else remains. \throws Error naming the file and the system's
 /// reason
-void publish_file(const std::string& content, const std::filesystem::path& file);
+void publish_file(const std::string& content, const std::filesystem::path& file,
+                  NamedWhen named = NamedWhen::flushed);
 
 }  // namespace clog

@@ -22,8 +22,7 @@ struct Leaf {
 
 [[noreturn]] void refuse_unknown(const std::string& where, const std::string& path,
                                  const std::string& shown) {
-  throw Error(fmt::format("{}: {} = {} (unknown key; the nearest known key is {})", where,
-                          shown_text(path), shown, nearest_key(path)));
+  throw Error(fmt::format("{}: {} = {} ({})", where, shown_text(path), shown, unknown_key(path)));
 }
 
 // Tables in a TOML library are sorted by name; messages and printing want the order of the file.

@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include <fmt/format.h>
+
+#include "coupling/nearest_word.hpp"
 
 namespace clog {
 namespace {
@@ -154,22 +155,6 @@ std::vector<Key> make_keys() {
 }
 // clang-format on
 
-// Levenshtein's distance, one row at a time.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, replaced});
-    }
-  }
-  return row.back();
-}
-
 std::string_view last_name(std::string_view path) { return path.substr(path.rfind('.') + 1); }
 
 }  // namespace
@@ -212,7 +197,13 @@ std::string_view nearest_key(std::string_view path) {
     const std::size_t leaf = edit_distance(last_name(path), last_name(key.path));
     return std::min(edit_distance(path, key.path), 2 + leaf + leaf);
   };
-  return std::ranges::min_element(scene_keys(), {}, distance)->path;
+  const auto nearest = std::ranges::min_element(scene_keys(), {}, distance);
+  return is_near(distance(*nearest), path) ? nearest->path : std::string_view{};
+}
+
+std::string unknown_key(std::string_view path) {
+  const std::string_view nearest = nearest_key(path);
+  return nearest.empty() ? "unknown key" : fmt::format("unknown key; the nearest known key is {}", nearest);
 }
 
 }  // namespace clog

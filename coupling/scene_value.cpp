@@ -27,6 +27,8 @@ struct Reader {
   }
 
   double pure_number(const std::string& name, const toml::node& value) const {
+    if (value.is_string() && value.as_string()->get().find(',') != std::string::npos)
+      refuse(name, value, "must be a pure number, with a decimal point and no comma, e.g. 0.6");
     if (value.is_string())
       refuse(name, value, "must be a pure number, written without quotes and unit, e.g. 0.6");
     if (!value.is_number()) refuse(name, value, "must be a pure number, e.g. 0.6");

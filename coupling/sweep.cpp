@@ -30,8 +30,7 @@ Sweep read_sweep(const std::string& whole) {
   require(equals != std::string::npos,
           "--sweep {} (write key=value,value, e.g. --sweep \"particles.diameter=25 um,33 um\")", text);
   Sweep sweep{trimmed(std::string_view(whole).substr(0, equals)), {}};
-  require(find_key(sweep.key) != nullptr, "--sweep {} (unknown key; the nearest known key is {})", text,
-          nearest_key(sweep.key));
+  require(find_key(sweep.key) != nullptr, "--sweep {} ({})", text, unknown_key(sweep.key));
   require(section_of(sweep.key) != "ensemble", "--sweep {} (is no property of a run: use --seeds)", text);
   for (std::size_t at = equals + 1; at <= whole.size();) {
     const std::size_t end = std::min(whole.find(',', at), whole.size());

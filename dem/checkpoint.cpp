@@ -72,7 +72,7 @@ void Checkpoint::save(const std::string& state) {
   std::error_code ignored;
   if (newest_is_good_) std::filesystem::rename(newest_, older_, ignored);
   newest_is_good_ = false;
-  publish_file(pack_state({owner_, state}), newest_);
+  publish_file(pack_state({owner_, state}), newest_, NamedWhen::written);
   newest_is_good_ = true;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <set>
 #include <thread>
 
 #include "dem/ledger.hpp"
@@ -44,7 +45,8 @@ public:
   }
 
   EnsembleResult work() {
-    const double began = seconds_now();
+    const Stopwatch watch;
+    if (call_.launch.rank == 0) say_what_failed_before();
     set_aside_what_is_short();
     for (const Job& job : worklist_.done_before()) look_at(job);
     while (const auto claim = worklist_.next()) {
@@ -55,13 +57,33 @@ public:
                  false, true, ensemble_of(claim->job).name});
       if (run(claim->job) == SeedEnd::stopped) break;
     }
-    const Ledger::Sum sum = ledger_.sum();
-    return {std::max(sum.failed, failed_), worklist_.left_to_others(), worklist_.other(), unrecorded_, sum.busy,
-            seconds_now() - began};
+    const Ledger::Sum sum = call_.launch.count > 1 ? ledger_.sum(asked_for()) : Ledger::Sum{};
+    return {.failed = std::max(sum.failed, failed_),
+            .complete = worklist_.is_complete(),
+            .left_to_others = worklist_.left_to_others(),
+            .other = worklist_.other(),
+            .unrecorded = unrecorded_,
+            .busy = sum.busy,
+            .duration = watch.seconds()};
   }
 
 private:
   const Ensemble& ensemble_of(const Job& job) const { return call_.ensembles[job.ensemble]; }
+
+  /// This call tries them again, whatever its name: names of calls repeat in containers.
+  void say_what_failed_before() const {
+    for (const Job& job : jobs_of(call_.ensembles))
+      if (const auto reason = worklist_.failed_before(job)) {
+        tell(job, {job.seed, fmt::format("failed before ({}); is tried again", *reason), false, true});
+        worklist_.forget_failure(job);
+      }
+  }
+
+  std::set<std::string> asked_for() const {
+    std::set<std::string> seeds;
+    for (const Job& job : jobs_of(call_.ensembles)) seeds.insert(Ledger::name_of(ensemble_of(job).name, job.seed));
+    return seeds;
+  }
 
   /// Before any work begins, so that what stands as a run file is done. Rank 0 looks at all, since it must not end
   /// before others have begun.
@@ -91,14 +113,14 @@ private:
 
   /// What was done before needs no entry, unless it is not what it should be.
   void look_at(const Job& job) {
-    const double began = seconds_now();
-    if (attempt(job) == SeedEnd::failed) enter(job, began, SeedEnd::failed);
+    const Stopwatch watch;
+    if (attempt(job) == SeedEnd::failed) enter(job, watch, SeedEnd::failed);
   }
 
   SeedEnd run(const Job& job) {
-    const double began = seconds_now();
+    const Stopwatch watch;
     const SeedEnd end = attempt(job);
-    enter(job, began, end);
+    enter(job, watch, end);
     return end;
   }
 
@@ -118,7 +140,7 @@ private:
   void refused(const Job& job, const std::string& why) {
     ++failed_;
     tell(job, {job.seed, why, true});
-    enter(job, seconds_now(), SeedEnd::failed);
+    enter(job, Stopwatch(), SeedEnd::failed);
   }
 
   void fail(const Job& job, const std::string& why) {
@@ -133,9 +155,9 @@ private:
     report_(said);
   }
 
-  void enter(const Job& job, double began, SeedEnd end) {
+  void enter(const Job& job, const Stopwatch& watch, SeedEnd end) {
     try {
-      ledger_.append({ensemble_of(job).name, job.seed, began, seconds_now(), word_for(end)});
+      ledger_.append({ensemble_of(job).name, job.seed, watch.began(), watch.began() + watch.seconds(), word_for(end)});
     } catch (const std::exception& error) {
       // A disk that stays full is said once.
       if (unrecorded_++ == 0) tell(job, {job.seed, error.what(), false, true});

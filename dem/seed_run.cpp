@@ -128,6 +128,7 @@ std::string run_seed(const Ensemble& ensemble, const std::string& inputs, std::u
   const auto say = [&](const std::string& line) { report({seed, line, false, true}); };
   const auto simulation = begin(ensemble, checkpoint, seed, say);
   simulation->on_note(say);
+  simulation->hurry_when(ensemble.stop);
   Saver saver(*simulation, checkpoint, ensemble, say);
   RunData run = simulation->run([&](const Progress& progress) {
     saver.look();

@@ -73,7 +73,7 @@ RunData Simulation::run(const Watcher& watcher) {
   announce_step();
   fill(watcher);
   while (step_ < model_.steps) {
-    if (watcher && step_ % watch_every == 0)
+    if (watcher && is_watched())
       watcher({time(), model_.scene.time.end, step_, particle_steps_, particles_.size(),
                data_.passages.time.size(),
                data_.passages.time.empty() ||
@@ -92,11 +92,15 @@ RunData Simulation::run(const Watcher& watcher) {
   return std::move(data_);
 }
 
+bool Simulation::is_watched() const {
+  return step_ % watch_every == 0 || (hurry_ && hurry_->load(std::memory_order_relaxed));
+}
+
 void Simulation::fill(const Watcher& watcher) {
   if (filling_.stage == Filling::Stage::before) begin_filling();
   const double tap_time = tap_duration * model_.scene.stokes_time();
   while (filling_.stage != Filling::Stage::done) {
-    if (watcher && step_ % watch_every == 0)
+    if (watcher && is_watched())
       watcher({-time(), model_.scene.time.end, step_, particle_steps_, particles_.size(), 0, false,
                true});
     const std::int64_t before = inlet_.inserted();

@@ -1,6 +1,7 @@
 // One run: the state of one seed and its steps.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <functional>
 
@@ -49,6 +50,9 @@ public:
 
   /// Who is told, in one line, of the step's limits and of a step near them.
   void on_note(std::function<void(const std::string&)> say) { say_ = std::move(say); }
+
+  /// While it is true the watcher is called at every step, not only now and then; must outlive the run.
+  void hurry_when(const std::atomic<bool>* asked) { hurry_ = asked; }
 
   /// The present contacts, films and drag, which know their largest stable step; after compute_forces().
   NetworkLimit network() const;
@@ -106,6 +110,7 @@ private:
   void open_gate();
   void set_walls(bool gate_closed);
   void feed_inlet(double time);
+  bool is_watched() const;  ///< at this step
   void take_out();
   void rebuild_lists();
   void sort_candidates();
@@ -186,6 +191,7 @@ private:
   Filling filling_;
   StepWatch step_watch_;
   std::function<void(const std::string&)> say_;
+  const std::atomic<bool>* hurry_ = nullptr;
   bool gate_closed_ = false;
   using Clock = std::chrono::steady_clock;
   double seconds_ = 0;  // of wall-clock time spent before clock_ [s]

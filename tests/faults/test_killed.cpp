@@ -62,12 +62,13 @@ TEST(Killed, FiftyTimesWithTheSameBits) {
 
 class Asked : public testing::TestWithParam<int> {};
 
-TEST_P(Asked, ToStopItSavesAndEndsWell) {
+TEST_P(Asked, ToStopItSavesAndEndsWithTheStatusOfShells) {
   const SmallJob job(longer);
   const Program program = job.start("stopped", "1-2");
   ASSERT_TRUE(appears(job.path("stopped/run_0001.state")));
   program.send(GetParam());
-  EXPECT_EQ(program.wait(), 0);
+  program.send(GetParam());  // in haste
+  EXPECT_EQ(program.wait(), 128 + GetParam());
   EXPECT_THAT(program.said(), HasSubstr("seed 1: stopped; its state is saved"));
   EXPECT_THAT(program.said(), Not(HasSubstr("seed 2")));
   EXPECT_FALSE(std::filesystem::exists(job.path("stopped/run_0001.h5")));

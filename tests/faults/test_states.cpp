@@ -18,7 +18,7 @@ protected:
     const Program program = job_->start("stopped", "1");
     ASSERT_TRUE(appears(job_->path("stopped/run_0001.state.old")));
     program.send(SIGTERM);
-    ASSERT_EQ(program.wait(), 0);
+    ASSERT_EQ(program.wait(), 128 + SIGTERM);
     newest_ = text_of(job_->path("stopped/run_0001.state"));
     older_ = text_of(job_->path("stopped/run_0001.state.old"));
     ASSERT_NE(newest_, older_);

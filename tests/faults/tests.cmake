@@ -24,6 +24,14 @@ clog_tests(test_longer_calls
   LIBRARIES clog_dem LABELS faults)
 target_compile_definitions(test_longer_calls PRIVATE CLOG_PROGRAM="$<TARGET_FILE:clog>")
 add_dependencies(test_longer_calls clog)
+add_library(odd_system SHARED faults/odd_system.c)
+target_link_libraries(odd_system PRIVATE ${CMAKE_DL_LIBS})
+clog_tests(test_odd_systems
+  SOURCES faults/test_odd_systems.cpp
+  LIBRARIES clog_dem LABELS faults)
+target_compile_definitions(test_odd_systems PRIVATE CLOG_PROGRAM="$<TARGET_FILE:clog>"
+  CLOG_ODD_SYSTEM="$<TARGET_FILE:odd_system>")
+add_dependencies(test_odd_systems clog odd_system)
 
 # The sanitizers must be the first library of a program, and the preloaded one would be.
 if(NOT CLOG_SANITIZE)
