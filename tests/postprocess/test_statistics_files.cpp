@@ -200,7 +200,7 @@ TEST_F(StatisticsFiles, an_output_that_cannot_be_written_is_named) {
   EXPECT_THAT(refusal([&] { statistics_of({runs}); }), HasSubstr("stats: cannot be created"));
   std::filesystem::remove(here_ / "stats");
   std::filesystem::create_directories(here_ / "stats" / "stats.json");
-  EXPECT_THAT(refusal([&] { statistics_of({runs}); }), HasSubstr("stats.json: cannot be renamed"));
+  EXPECT_THAT(refusal([&] { statistics_of({runs}); }), HasSubstr("stats.json (cannot be written: Is a directory)"));
 }
 
 TEST(Filling, an_empty_start_counts_from_the_full_channel) {
