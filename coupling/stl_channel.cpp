@@ -12,6 +12,7 @@
 #include "coupling/channel_geometry.hpp"
 #include "coupling/content_hash.hpp"
 #include "coupling/require.hpp"
+#include "coupling/shown_text.hpp"
 #include "coupling/stl_openings.hpp"
 #include "coupling/stl_surface.hpp"
 #include "coupling/wall_edges.hpp"
@@ -140,6 +141,10 @@ Walls opening(double x, double half_width, double height, bool inlet) {
 }  // namespace
 
 std::string stl_content_hash(const Scene& scene) {
+  // A scene inside a flow file may name anything; to open a pipe waits for its other end.
+  std::error_code ignored;
+  require(std::filesystem::is_regular_file(scene.geometry.stl, ignored), "geometry.stl = \"{}\" (there is no such file)",
+          shown_text(scene.geometry.stl));
   std::ifstream stream(scene.geometry.stl, std::ios::binary);
   require(stream.good(), "geometry.stl = \"{}\" (the file cannot be read)", scene.geometry.stl);
   return content_hash({std::istreambuf_iterator<char>(stream), {}});

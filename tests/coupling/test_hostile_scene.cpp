@@ -1,5 +1,7 @@
 // Scenes and values that were made to exhaust the reader: refused at once, in a line that quotes
 // little of them.
+#include <sys/stat.h>
+
 #include <chrono>
 
 #include <gmock/gmock.h>
@@ -106,6 +108,15 @@ TEST(HostileScene, MessagesQuoteALine) {
       refusal([&] { sweep_points({"particles.diameter=" + endless + "," + endless}); }).size(),
       400u);
   EXPECT_LT(refusal([&] { parse_scene("a = 1\na = 2 " + endless, "x"); }).size(), 400u);
+}
+
+TEST(HostileScene, WallsInAPipeDoNotWait) {
+  const ScratchFolder scratch;
+  const std::string pipe = scratch.path() / "walls.stl";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  Scene scene = flow_scene();
+  scene.geometry.stl = pipe;
+  EXPECT_THAT(refusal([&] { flow_inputs(scene); }), HasSubstr("walls.stl\" (there is no such file)"));
 }
 
 TEST(HostileScene, NoMessageIsEndless) {
