@@ -49,6 +49,13 @@ double expected_overlap(const Model& model, const Particle& sphere, const std::v
                   hertz_overlap(load, model.pair_law.modulus, d / 4));
 }
 
+/// Whether the dry restitution does not matter, as clog plan has it: St of a collision below 10.
+bool films_brake(const Scene& s, double diameter) {
+  const SphereInFluid sphere{diameter, s.particles.density, s.fluid.density, s.fluid.viscosity};
+  return s.lubrication.enabled && s.flow_speed() > 0 &&
+         collision_stokes_number(sphere, collision_speed_share * s.flow_speed()) < 10;
+}
+
 /// Two equal spheres that meet along their normal.
 double impact_limit(const Model& model, const Particle& sphere, double overlap) {
   const double arm = sphere.radius - overlap / 2, mass = sphere.mass / 2;
@@ -117,6 +124,7 @@ StepLimits expected_limits(const Model& model, const std::vector<Particle>& init
     limits.contacts = pack_limit(model, sphere, overlap);
     limits.impact = impact_limit(model, sphere, overlap);
   }
+  limits.films_brake = films_brake(s, d);
   return limits;
 }
 
@@ -145,7 +153,7 @@ double impact_error(const StepLimits& l, double dt) { return 0.36 * dt * dt / (l
 
 std::string impact_warning(const StepLimits& l, double dt) {
   const double error = impact_error(l, dt);
-  if (error <= 0.01) return {};
+  if (error <= 0.01 || l.films_brake) return {};
   return fmt::format("the step is {:.2g} of the limit of two spheres that collide: the restitution of single impacts is off by up to "
                      "{:.2g} %, on average by less than one",
                      dt / l.impact, 100 * error);

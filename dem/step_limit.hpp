@@ -18,6 +18,7 @@ struct StepLimits {
   double lubrication = 0;    ///< 2 m* / c of two particles 2 xi apart
   double contacts = 0;       ///< of a sphere in a pack at the expected load, all springs and dashpots
   double impact = std::numeric_limits<double>::infinity();   ///< of two spheres that meet alone, springs and dashpot along the normal
+  bool films_brake = false;  ///< films take the energy of collisions, whatever the dry restitution
   double passing = std::numeric_limits<double>::infinity();  ///< in which the flow or the fastest initial particle goes one diameter
   double expected_overlap = 0;  ///< that `contacts` assumes, over the diameter [-]
 
@@ -53,7 +54,7 @@ std::string way_warning(const StepLimits& limits, double dt);
 /// e = 0.7 over the phases of the step at which the contact is met. The mean over many impacts stays within 1 %.
 double impact_error(const StepLimits& limits, double dt);
 
-/// One line where that is above 1 %, or nothing.
+/// One line where that is above 1 % and no film brakes the impact, or nothing.
 std::string impact_warning(const StepLimits& limits, double dt);
 
 /// \throws Error if the step is above a limit and the scene does not allow that, naming it and what to do

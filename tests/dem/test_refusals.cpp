@@ -73,7 +73,7 @@ TEST(LostParticle, NamesTheParticleAndThePlace) {
   lab->particles()[1].x = 5;
   EXPECT_THAT(refusal([&] { lab->compute_forces(); }),
               AllOf(HasSubstr("particle 1 left the walls, which reach from (-1, -1, 0) to (1, 1, 2) m, at (5, 0, 0.5) m"),
-                    HasSubstr("it begins so")));
+                    HasSubstr("lower time.step or raise contact.youngs_modulus")));
 }
 
 TEST(Flow, OfAnotherSceneIsRefusedWithTheFirstDifference) {

@@ -277,6 +277,8 @@ TEST(StepLimits, TheErrorOfSingleImpactsIsToldWhereItBegins) {
   limits.impact = 1;
   EXPECT_EQ(impact_warning(limits, 0.16), "");
   EXPECT_THAT(impact_warning(limits, 0.45), HasSubstr("0.45 of the limit of two spheres that collide: the restitution of single impacts is off by up to 7.3 %"));
+  limits.films_brake = true;
+  EXPECT_EQ(impact_warning(limits, 0.45), "");
   for (const double share : {0.1, 0.2, 0.3, 0.45}) {
     const auto [worst, mean] = impact_errors(share);
     // It rises and falls with the number of steps in a contact.
