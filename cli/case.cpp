@@ -8,6 +8,7 @@
 #include "coupling/content_hash.hpp"
 #include "coupling/foam_case_writer.hpp"
 #include "coupling/source_folder.hpp"
+#include "coupling/stl_channel.hpp"
 
 namespace clog::cli {
 namespace {
@@ -23,6 +24,8 @@ void write_case(const CaseOptions& options) {
   const auto state =
       write_foam_case(scene, options.folder, source_folder() / "foam_case",
                       options.check ? FoamCaseCheck::with_coarser_mesh : FoamCaseCheck::without);
+  const std::string note = is_stl_channel(scene) ? read_stl_channel(scene)->note : "";
+  if (!note.empty()) fmt::print(stderr, "clog: {}\n", note);
   const std::string hash = content_hash(flow_inputs(scene));
   if (state == FoamCaseState::solved) {
     fmt::print("flow {} is already solved in {}\n", hash, options.folder.string());

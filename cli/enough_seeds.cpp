@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "coupling/require.hpp"
+#include "dem/seed_files.hpp"
 #include "dem/seed_lock.hpp"
 
 namespace clog::cli {

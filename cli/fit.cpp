@@ -18,7 +18,23 @@ struct FitOptions {
   double xmin = 0;
   std::size_t replicates = default_replicates;
   std::uint64_t seed = 1;
+  bool discrete = false, continuous = false;
 };
+
+nlohmann::json fit_column(const FitOptions& options, const postprocess::FitRequest& request) {
+  using postprocess::Values;
+  const auto values = postprocess::read_number_column(options.file);
+  const Values found = postprocess::recognised(values);
+  const Values kind = options.discrete     ? Values::whole
+                      : options.continuous ? Values::continuous
+                                           : found;
+  const postprocess::SortedSample sample(values, kind);
+  nlohmann::json fit = fit_as_json(sample, request);
+  fit["discrete_from"] = options.discrete || options.continuous ? "given" : "values";
+  if (found == Values::whole && sample.kind() == Values::continuous)
+    fit["notes"] = {"whole numbers fitted with a continuous law: alpha is biased, the more the smaller xmin"};
+  return fit;
+}
 
 }  // namespace
 
@@ -35,6 +51,9 @@ void add_fit(CLI::App& app) {
                       ->expected(0, 1)
                       ->check(CLI::PositiveNumber);
   verb->add_option("--seed", options->seed, "of the bootstrap")->capture_default_str();
+  auto* discrete = verb->add_flag("--discrete", options->discrete,
+                                  "the law of whole numbers (default: if they are)");
+  verb->add_flag("--continuous", options->continuous, "the law of any numbers")->excludes(discrete);
   verb->callback([options, xmin, p_value] {
     postprocess::FitRequest request{.xmin = {}, .p_value = {}, .seed = options->seed};
     if (xmin->count() > 0) request.xmin = options->xmin;
@@ -42,8 +61,7 @@ void add_fit(CLI::App& app) {
       request.p_value =
           p_value->as<std::string>().empty() ? default_replicates : options->replicates;
     }
-    const postprocess::SortedSample sample(postprocess::read_number_column(options->file));
-    fmt::print("{}\n", fit_as_json(sample, request).dump(2));
+    fmt::print("{}\n", fit_column(*options, request).dump(2));
   });
 }
 

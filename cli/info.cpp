@@ -10,15 +10,18 @@
 #include "coupling/content_hash.hpp"
 #include "coupling/flow_grid.hpp"
 #include "coupling/hdf5_file.hpp"
+#include "coupling/publish_file.hpp"
+#include "coupling/readable_scene.hpp"
 #include "coupling/require.hpp"
 #include "coupling/run_file.hpp"
 #include "coupling/scene.hpp"
+#include "coupling/shown_text.hpp"
 
 namespace clog::cli {
 namespace {
 
 struct InfoOptions {
-  std::filesystem::path file;
+  std::filesystem::path file, out;
   Overrides overrides;
   bool effective = false;
   bool flow_hash = false;
@@ -31,19 +34,19 @@ std::string micrometres(double length) { return fmt::format("{:.4g} um", 1e6 * l
 void print_record(const nlohmann::json& record) {
   if (!record.is_object()) return;
   for (const auto& [key, value] : record.items()) {
-    std::string text = value.is_string() ? value.get<std::string>() : value.dump();
     constexpr std::size_t longest = 100;
-    if (text.size() > longest) text = text.substr(0, longest) + "...";
-    std::ranges::replace(text, '\n', ' ');
-    fmt::print("  {}: {}\n", key, text);
+    fmt::print("  {}: {}\n", shown_text(key, longest),
+               shown_text(value.is_string() ? value.get<std::string>() : value.dump(), longest));
   }
 }
 
-void print_scene(const std::string& text) {
+void print_scene(const std::string& effective) {
+  const std::string text = readable_scene(effective);
+  constexpr std::size_t longest = 1000;  // the seeds may be many
   fmt::print("made for this scene:\n");
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
-    fmt::print("  {}\n", text.substr(at, end - at));
+    fmt::print("  {}\n", shown_text(std::string_view(text).substr(at, end - at), longest));
     at = end + 1;
   }
 }
@@ -64,7 +67,7 @@ void print_flow(const FlowGrid& grid, const std::string& name) {
   fmt::print("fluid at {:.1f} % of the points; fastest {:.4g} mm/s\n",
              100.0 - 100.0 * static_cast<double>(solid) / static_cast<double>(grid.solid.size()),
              1e3 * fastest);
-  fmt::print("walls: {} triangles\nhash: {}\nwhere it comes from:\n", grid.walls.size(), grid.hash);
+  fmt::print("walls: {} triangles\nhash: {}\nwhere it comes from:\n", grid.walls.size(), shown_text(grid.hash));
   print_record(grid.provenance);
   print_scene(grid.scene_text);
 }
@@ -102,16 +105,19 @@ void print_scene_file(const InfoOptions& options) {
   } else if (options.flow_inputs) {
     fmt::print("{}", flow_inputs(scene));
   } else if (options.effective) {
-    fmt::print("{}", effective_scene(scene));
+    const std::string text = readable_scene(effective_scene(scene));
+    if (!options.out.empty()) return publish_file(text, options.out);
+    fmt::print("{}", text);
   } else {
     fmt::print("{}: a scene: particles of {} for {:.6g} s, {} seeds\n", options.file.string(),
                micrometres(scene.particles.diameter), scene.time.end, scene.ensemble.seeds.size());
     if (solved) fmt::print("flow: OpenFOAM, hash {}\n", hash);
-    fmt::print("with every default filled in:\n{}", effective_scene(scene));
+    fmt::print("with every default filled in:\n{}", readable_scene(effective_scene(scene)));
   }
 }
 
 void print_info(const InfoOptions& options) {
+  require(options.out.empty() || options.effective, "--out {} (goes with --effective only)", options.out.string());
   if (options.file.extension() == ".toml") return print_scene_file(options);
   require(
       options.overrides.empty() && !options.effective && !options.flow_hash && !options.flow_inputs,
@@ -121,7 +127,7 @@ void print_info(const InfoOptions& options) {
   const std::string name = options.file.string();
   if (format.name == "clogflow flow") return print_flow(read_flow_grid(options.file), name);
   if (format.name == "clogflow run") return print_run(read_run_file(options.file), name);
-  fmt::print("{}: a \"{}\" file, version {}\n", name, format.name, format.version);
+  fmt::print("{}: a \"{}\" file, version {}\n", name, shown_text(format.name), format.version);
 }
 
 }  // namespace
@@ -134,7 +140,8 @@ void add_info(CLI::App& app) {
   verb->add_option("--set", options->overrides, "key=value: overrides the scene")
       ->allow_extra_args(false);
   verb->add_flag("--effective", options->effective,
-                 "of a scene: only the complete scene, as TOML in SI units");
+                 "of a scene: only the complete scene, as TOML");
+  verb->add_option("--out", options->out, "with --effective: the file to write it to");
   verb->add_flag("--flow-inputs", options->flow_inputs, "of a scene: only what decides its flow");
   verb->add_flag("--flow-hash", options->flow_hash, "of a scene: only the name of its flow");
   verb->callback([options] { print_info(*options); });

@@ -3,10 +3,34 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <string>
 
 #include "cli/output.hpp"
 #include "cli/verbs.hpp"
+#include "coupling/nearest_word.hpp"
 #include "coupling/require.hpp"
+
+namespace {
+
+/// The library would call it an argument that was not expected. \throws CLI::ParseError
+void check_verb(const CLI::App& app, int argc, char** argv) {
+  const std::string verb = argc > 1 ? argv[1] : "";
+  if (verb.empty() || verb.starts_with('-')) return;
+  std::string nearest, all;
+  std::size_t least = verb.size();
+  for (const CLI::App* known : app.get_subcommands([](const CLI::App*) { return true; })) {
+    const std::string& name = known->get_name();
+    if (name == verb) return;
+    all += (all.empty() ? "" : ", ") + name;
+    const std::size_t distance = clog::edit_distance(verb, name);
+    if (distance < least && clog::is_near(distance, verb)) least = distance, nearest = name;
+  }
+  throw CLI::ParseError(nearest.empty() ? fmt::format("no verb \"{}\": known are {}", verb, all)
+                                         : fmt::format("no verb \"{}\": is \"{}\" meant?", verb, nearest),
+                         CLI::ExitCodes::ExtrasError);
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   // A limit on the size of files is then an error of the write, with a line, and not the end.
@@ -25,15 +49,18 @@ int main(int argc, char** argv) {
   clog::cli::add_trade(app);
   clog::cli::add_info(app);
   try {
+    check_verb(app, argc, argv);
     app.parse(argc, argv);
     clog::require(std::fflush(stdout) == 0 && !std::ferror(stdout),
                   "standard output cannot be written (disk full?): what was said is lost, files are not");
     return 0;
+  } catch (const clog::cli::EndWithStatus& end) {
+    return end.status;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   } catch (const std::exception& error) {
     // An empty text: another rank of the same job has said it.
-    if (*error.what()) clog::cli::put(stderr, fmt::format("clog: {}\n", error.what()));
+    if (*error.what()) clog::cli::put(stderr, fmt::format("clog: {}\n", clog::Error(error.what()).what()));
     return 1;
   }
 }

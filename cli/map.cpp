@@ -1,12 +1,11 @@
 // clog map: sampled OpenFOAM velocities to flow.h5.
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 
 #include <fmt/format.h>
 
 #include "cli/verbs.hpp"
+#include "coupling/flow_reach.hpp"
 #include "coupling/map_flow.hpp"
 
 namespace clog::cli {
@@ -19,13 +18,9 @@ struct MapOptions {
 void write_map(const MapOptions& options) {
   const FlowGrid grid = map_flow(options.folder);
   write_flow_grid(grid, options.out);
-  double worst = 0;
-  for (const auto& plane : grid.provenance["grid_flux"]) {
-    worst = std::max(worst, std::abs(plane["error"].get<double>()));
-  }
-  fmt::print("{}: flow {}, {} x {} x {} points of {:.4g} um, flux of the grid within {:.2g} %\n",
+  fmt::print("{}: flow {}, {} x {} x {} points of {:.4g} um, flux of every plane within {:.2g} %\n",
              options.out.string(), grid.hash, grid.points[0], grid.points[1], grid.points[2],
-             1e6 * grid.spacing, 100 * worst);
+             1e6 * grid.spacing, 100 * grid.provenance["grid_flux_largest_error"].get<double>());
   const auto& lookup = grid.provenance["lookup_error"];
   fmt::print(
       "reading it adds, in % of the neck's mean velocity: rms {:.2g} trilinear, {:.2g} nearest; "
@@ -34,13 +29,19 @@ void write_map(const MapOptions& options) {
       100 * lookup["trilinear_in_neck"].get<double>(),
       100 * lookup["nearest_in_neck"].get<double>(),
       1e-6 * static_cast<double>(sizeof(float) * grid.velocity.size() + grid.solid.size()));
+  if (const auto drop = channel_pressure_drop(grid, read_scene(options.folder / "scene.toml")))
+    fmt::print(
+        "pressure drop from the inlet of the scene's channel: {:.4g} Pa, {:.4g} Pa of it in what "
+        "was solved\n",
+        *drop, grid.provenance["pressure_drop"].get<double>());
   if (!grid.provenance.contains("mesh_error")) return;
   const auto percent = [&](const char* key) {
     return 100 * grid.provenance["mesh_error"][key].get<double>();
   };
   fmt::print(
       "{}, in % of the neck's mean velocity: "
-      "rms {:.2g}, {:.2g} at 99 of 100 points, at most {:.2g} beside the edge; pressure drop "
+      "rms {:.2g}, {:.2g} at 99 of 100 points, at most {:.2g} beside the edge; solved pressure "
+      "drop "
       "{:.4g} Pa within {:.2g} %\n",
       grid.provenance["mesh_error"]["extrapolated"].get<bool>()
           ? "extrapolated from this mesh and a coarser one; error, 1.25 times what that changed"

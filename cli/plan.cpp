@@ -47,6 +47,8 @@ void print_flow(const Scene& scene, const Plan& plan, const std::filesystem::pat
     const FlowGrid flow = read_flow_grid(file);
     check_flow_belongs(scene, flow);
     fmt::print("      in {}: from {:.3g} m\n", file.string(), measured_reach(flow, scene, reach_tolerance));
+    if (const auto drop = channel_pressure_drop(flow, scene))
+      fmt::print("      pressure drop from the inlet of this scene's channel: {:.4g} Pa\n", *drop);
   }
   const bool known = neck_reynolds_number(scene) <= largest_reynolds_number;
   fmt::print("      a creeping flow scaled to this rate is wrong by {:.2g} % of the neck's mean velocity{}\n",

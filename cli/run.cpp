@@ -25,6 +25,7 @@
 #include "coupling/units.hpp"
 #include "dem/ensemble.hpp"
 #include "dem/initial_particles.hpp"
+#include "dem/kernels.hpp"
 #include "dem/plan.hpp"
 #include "dem/step_limit.hpp"
 #include "trade/fidelity.hpp"
@@ -35,6 +36,7 @@ namespace {
 /// Set by SIGTERM and SIGINT: the runs save their states and end. A lock-free atomic is all that a signal
 /// handler may touch.
 std::atomic<bool> stop_asked = false;
+std::atomic<int> stop_signal = 0;
 
 /// Time for rank 0 to say what all ranks would say, and to be ended by the launcher for it.
 constexpr std::chrono::seconds rank_0_speaks_within{5};
@@ -192,14 +194,20 @@ void conclude(const EnsembleCall& call, const EnsembleResult& result, const std:
     fmt::print("{} of {} seeds are left to other calls that are at work on them, such as {}\n",
                result.left_to_others, seeds, result.other);
   require(result.failed == 0, "{} of {} seeds failed; the others are in {}", result.failed, seeds, out.string());
+  require(result.unrecorded == 0, "{} seeds are done but not listed in {}", result.unrecorded, call.ledger.string());
 }
 
 void run(const RunOptions& options) {
-  for (const int signal : {SIGTERM, SIGINT, SIGALRM}) std::signal(signal, [](int) { stop_asked = true; });
+  for (const int signal : {SIGTERM, SIGINT, SIGALRM}) std::signal(signal, [](int number) { stop_signal = number, stop_asked = true; });
   if (!options.time_limit.empty()) stop_after(options.time_limit);
   const Launch launch = launch_from_environment();
-  const auto points = on_every_rank(launch, [&] { return prepare_points(options); });
+  const auto points = on_every_rank(launch, [&] {
+    select_kernels();  // says what is wrong with CLOG_ISA
+    return prepare_points(options);
+  });
   EnsembleCall call = call_for(points, options, launch);
+  for (const std::string& line : on_every_rank(launch, [&] { return check_directories(call); }))
+    if (launch.rank == 0) put(stderr, fmt::format("clog: {}\n", line));
   const auto decisions = on_every_rank(launch, [&] { return decide_by(options.until, call); });
   ProgressLine line(launch.rank == 0 && isatty(STDERR_FILENO));
   const EnsembleResult result = run_ensembles(
@@ -211,6 +219,9 @@ void run(const RunOptions& options) {
   for (const auto& decision : decisions) decision->settle();
   conclude(call, result, options.out);
   if (launch.rank == 0) say(decisions, call);
+  // Not for ranks: launchers kill all when one ends otherwise, and may meet the others at saving their states.
+  if (!result.complete && !launch.by_launcher && (stop_signal == SIGINT || stop_signal == SIGTERM))
+    throw EndWithStatus{128 + stop_signal};
 }
 
 }  // namespace

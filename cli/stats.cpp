@@ -19,12 +19,34 @@ double threshold_seconds(const std::string& text) {
   return quantity.si;
 }
 
+/// The value, or the bound on it, or what it lacks.
+std::string known(const nlohmann::json& q) {
+  const auto number = [&](const char* side) { return fmt::format("{:.4g}", q.at(side).get<double>()); };
+  const std::string note = q.value("note", "");
+  if (q.at("value").is_null()) {
+    if (!q.at("high").is_null()) return fmt::format("below {} ({})", number("high"), note);
+    if (!q.at("low").is_null()) return fmt::format("above {} ({})", number("low"), note);
+    return fmt::format("unknown ({})", note);
+  }
+  if (q.at("low").is_null()) return number("value");
+  return fmt::format("{} [{}, {}]", number("value"), number("low"), number("high"));
+}
+
 std::string with_interval(const nlohmann::json& group, const char* key) {
   const auto& q = group.at("quantities").at(key);
-  if (q.at("value").is_null()) return "undefined";
-  if (q.at("low").is_null()) return fmt::format("{:.4g}", q.at("value").get<double>());
-  return fmt::format("{:.4g} [{:.4g}, {:.4g}]", q.at("value").get<double>(),
-                     q.at("low").get<double>(), q.at("high").get<double>());
+  const bool drifts = q.contains("ages") && q.at("ages") == true;
+  return known(q) + (drifts ? " (drifts: first and second half differ)" : "");
+}
+
+/// What is known to be wrong with the laws behind the numbers.
+void print_verdicts(const nlohmann::json& group) {
+  const auto& alpha = group.at("quantities").at("alpha_fixed");
+  if (alpha.value("ruled_out", false))
+    fmt::print("  alpha: {}\n", alpha.at("verdict").get<std::string>());
+  const auto& bursts = group.at("bursts");
+  if (bursts.contains("geometric") && bursts.at("geometric").at("ruled_out") == true)
+    fmt::print("  s: geometric law {}\n",
+               bursts.at("geometric").at("verdict").get<std::string>());
 }
 
 void print_summary(const nlohmann::json& statistics) {
@@ -37,6 +59,7 @@ void print_summary(const nlohmann::json& statistics) {
                by_release ? "releases without a passage" : "alpha(T_min)",
                with_interval(group, by_release ? "share_failed" : "alpha_fixed"),
                with_interval(group, "flow_rate"));
+    print_verdicts(group);
   }
 }
 

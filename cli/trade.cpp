@@ -11,10 +11,10 @@
 #include "cli/verbs.hpp"
 #include "coupling/publish_file.hpp"
 #include "coupling/require.hpp"
-#include "coupling/text_file.hpp"
 #include "coupling/units.hpp"
 #include "postprocess/report.hpp"
 #include "trade/results.hpp"
+#include "trade/study_file.hpp"
 
 namespace clog::cli {
 namespace {
@@ -40,11 +40,7 @@ double budget_seconds(const std::string& text) {
 
 void combine_studies(const TradeOptions& options) {
   std::vector<nlohmann::json> studies;
-  for (const fs::path& file : options.combine) {
-    studies.push_back(nlohmann::json::parse(read_text_file(file), nullptr, false));
-    require(!studies.back().is_discarded() && studies.back().value("format", "") == "clogflow trade 1",
-            "{}: not a trade.json of clog trade", file.string());
-  }
+  for (const fs::path& file : options.combine) studies.push_back(trade::read_study(file));
   publish_file(trade::combine(studies).dump(1) + "\n", options.out);
 }
 

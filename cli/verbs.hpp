@@ -5,6 +5,11 @@
 
 namespace clog::cli {
 
+/// Ends the program with a status that is no failure and not done either; what there is to say was said.
+struct EndWithStatus {
+  int status;
+};
+
 void add_plan(CLI::App& app);
 void add_case(CLI::App& app);
 void add_map(CLI::App& app);

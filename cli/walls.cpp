@@ -1,12 +1,11 @@
 // clog walls: the channel of a scene as an STL file with named inlet and outlet.
 #include <filesystem>
-#include <fstream>
 #include <memory>
 
 #include <fmt/format.h>
 
 #include "cli/verbs.hpp"
-#include "coupling/require.hpp"
+#include "coupling/publish_file.hpp"
 #include "coupling/stl_channel.hpp"
 
 namespace clog::cli {
@@ -22,10 +21,7 @@ constexpr double micrometre = 1e-6;
 
 void write_walls(const WallsOptions& options) {
   const std::string text = channel_stl(read_scene(options.scene, options.overrides), micrometre);
-  std::ofstream out(options.out);
-  out << text;
-  out.close();
-  require(out.good(), "cannot write {} (disk full, or no permission?)", options.out.string());
+  publish_file(text, options.out);
   fmt::print("{}: walls, inlet and outlet, in micrometres (geometry.stl_unit = \"1 um\")\n", options.out.string());
 }
 

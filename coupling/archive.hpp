@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "coupling/json_text.hpp"
 #include "coupling/require.hpp"
 #include "coupling/walls.hpp"
 
@@ -110,8 +111,8 @@ private:
   void take(nlohmann::json& value) {
     std::string text;
     take(text);
-    value = nlohmann::json::parse(text, nullptr, false);
-    require(!value.is_discarded(), "a saved state holds a text that is no JSON");
+    value = parse_json(text);
+    require(!value.is_discarded(), "a saved state holds a text that is no JSON, or nested too deep");
   }
   template <class T>
   void take(std::vector<T>& values) {

@@ -180,6 +180,12 @@ double narrowing_length(const Scene& scene) {
                   narrowing(scene, angle_below(scene)));
 }
 
+double solved_length(const Scene& scene) {
+  constexpr double shortest_widths = 0.5;
+  const double widest = std::max(scene.geometry.channel_width, scene.geometry.neck_height);
+  return std::clamp(scene.geometry.channel_length, shortest_widths * widest, development_widths * widest);
+}
+
 double channel_start(const Scene& scene) {
   return -(narrowing_length(scene) + scene.geometry.channel_length);
 }
@@ -202,7 +208,7 @@ double neck_mean_velocity(const Scene& scene) {
 double channel_width_at(const Scene& scene, double x) { return channel_shape(scene).width(x); }
 
 double channel_volume(const Scene& scene, double from, double to) {
-  if (is_stl_channel(scene)) return volume_between(read_stl_channel(scene).walls, from, to);
+  if (is_stl_channel(scene)) return volume_between(read_stl_channel(scene)->walls, from, to);
   const ChannelShape shape = channel_shape(scene);
   double area = 0;
   for (const ChannelSide* wall : {&shape.upper, &shape.lower}) {

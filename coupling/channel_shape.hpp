@@ -60,6 +60,15 @@ std::string shape_fault(const Scene& scene);
 /// Length along x over which the channel narrows; of two different sides the longer one [m].
 double narrowing_length(const Scene& scene);
 
+/// Length before the narrowing, or before a step out to a wider channel, over which a flow develops, in widths:
+/// disturbances die out like exp(-2 pi x / width), which leaves 4e-4.
+inline constexpr double development_widths = 1.25;
+
+/// How much of the channel before the narrowing is solved: all that the neck disturbs, at most. A longer channel has
+/// the same flow, developed before that; of a channel shorter than half a width that half is solved. For channels
+/// by keys, not from a file. [m]
+double solved_length(const Scene& scene);
+
 /// x of the channel's inlet; the (unrounded) neck's entrance is at x = 0 [m].
 double channel_start(const Scene& scene);
 

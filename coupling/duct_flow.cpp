@@ -54,6 +54,8 @@ double DuctFlow::operator()(double y, double z) const {
   return sum / mean_;
 }
 
+double DuctFlow::resistance() const { return pi * pi / (narrow_ * narrow_ * mean_); }
+
 double DuctFlow::mean_over(const Rectangle& r) const {
   double along_min = r.y_min, along_max = r.y_max, across_min = r.z_min, across_max = r.z_max;
   if (turned_) {

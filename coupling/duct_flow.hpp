@@ -18,6 +18,9 @@ public:
   /// u/mean at a point [-], relative error below 1e-5 of the mean.
   double operator()(double y, double z) const;
 
+  /// Pressure gradient over viscosity and mean velocity [1/m2]; 12/height^2 where the width is infinite.
+  double resistance() const;
+
   /// Mean of u/mean over a rectangle inside the duct [-]: what flows through a mesh face. Exact
   /// integral of the series, so that faces that tile the duct carry exactly the whole flux.
   struct Rectangle {

@@ -113,7 +113,9 @@ std::optional<CoarserFlow> read_coarser_flow(const fs::path& folder, const Scene
   require(flow_inputs(other) == flow_inputs(coarser_scene(scene)),
           "{} is not the coarser case of {}; write the case again with --check", coarse.string(),
           folder.string());
-  require(fs::exists(coarse / "solved"), "{} is not solved; run {}", coarse.string(), run);
+  require(fs::exists(coarse / "solved") &&
+              read_text_file(coarse / "solved") == read_text_file(coarse / "hash"),
+          "{} is not solved; run {}", coarse.string(), run);
   return CoarserFlow{.cells_per_neck = other.flow.mesh_cells_per_neck,
                      .samples = read_flow_samples(coarse, flow_space(scene)),
                      .pressure_drop = read_pressure_drop(coarse)};

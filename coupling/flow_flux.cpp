@@ -41,17 +41,22 @@ double grid_flux(const FlowGrid& grid, int i) {
   return sum * grid.spacing * grid.spacing;
 }
 
+PlaneFlux grid_plane(const FlowGrid& grid, int i, const Scene& scene) {
+  const double rate =
+      scene.flow.mean_velocity * scene.geometry.channel_width * scene.geometry.neck_height;
+  const double flux = grid_flux(grid, i);
+  return {grid.origin.x() + i * grid.spacing, flux, flux / rate - 1};
+}
+
 std::vector<PlaneFlux> grid_fluxes(const FlowGrid& grid, const Scene& scene, double first) {
   const auto& g = scene.geometry;
-  const double rate = scene.flow.mean_velocity * g.channel_width * g.neck_height;
   const double bend = -narrowing_length(scene);
   std::vector<PlaneFlux> planes;
   for (const double x :
        {first, bend - g.neck_width, bend, bend / 2, 0.0, g.neck_length / 2, g.neck_length, channel_end(scene)}) {
     const int i = static_cast<int>(std::lround((x - grid.origin.x()) / grid.spacing));
     if (i < 0 || i >= grid.points[0]) continue;
-    const double flux = grid_flux(grid, i);
-    planes.push_back({grid.origin.x() + i * grid.spacing, flux, flux / rate - 1});
+    planes.push_back(grid_plane(grid, i, scene));
   }
   return planes;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "coupling/hdf5_file.hpp"
+#include "coupling/provenance_record.hpp"
 #include "coupling/require.hpp"
 
 namespace clog {
@@ -133,8 +134,7 @@ FlowGrid read_flow_grid(const std::filesystem::path& file) {
   grid.walls = unflatten(walls);
   grid.scene_text = in.read_text("/provenance/scene");
   grid.hash = in.read_text("/provenance/hash");
-  grid.provenance = nlohmann::json::parse(in.read_text("/provenance/record"), nullptr, false);
-  in.check(!grid.provenance.is_discarded(), "/provenance/record is no JSON");
+  grid.provenance = read_record(in);
   const std::string wrong = fault(grid);
   in.check(wrong.empty(), wrong);
   return grid;

@@ -7,6 +7,7 @@
 
 #include "coupling/channel_shape.hpp"
 #include "coupling/duct_flow.hpp"
+#include "coupling/stl_channel.hpp"
 
 namespace clog {
 
@@ -42,6 +43,16 @@ double measured_reach(const FlowGrid& flow, const Scene& scene, double tolerance
       return i == 0 ? std::numeric_limits<double>::infinity()
                     : std::max(0.0, narrowing - (flow.origin.x() + (i - 1) * flow.spacing));
   return 0;
+}
+
+std::optional<double> channel_pressure_drop(const FlowGrid& flow, const Scene& scene) {
+  if (is_stl_channel(scene) || !flow.provenance.is_object()) return std::nullopt;
+  const auto solved = flow.provenance.find("pressure_drop");
+  if (solved == flow.provenance.end() || !solved->is_number()) return std::nullopt;
+  const auto& g = scene.geometry;
+  const double gradient =
+      scene.fluid.viscosity * scene.flow.mean_velocity * DuctFlow(g.channel_width, g.neck_height).resistance();
+  return solved->get<double>() + gradient * (g.channel_length - solved_length(scene));
 }
 
 }  // namespace clog

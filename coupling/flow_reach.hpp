@@ -1,6 +1,8 @@
 // How far the neck is felt upstream: beyond, the grid need not cover the channel.
 #pragma once
 
+#include <optional>
+
 #include "coupling/flow_grid.hpp"
 #include "coupling/scene.hpp"
 
@@ -18,5 +20,10 @@ double expected_reach(const Scene& scene, double tolerance);
 /// The same distance as the grid has it: upstream of it no point of the fluid differs by more than the
 /// tolerance; infinite where the channel's very beginning does. [m]
 double measured_reach(const FlowGrid& flow, const Scene& scene, double tolerance);
+
+/// Pressure drop from the inlet of the scene's channel to the outlet of the mesh [Pa]: what was solved, and developed
+/// flow in what the scene has before it, whose length the flow does not depend on.
+/// \return none where the flow file does not tell what was solved, or the walls are from a file (all is solved)
+std::optional<double> channel_pressure_drop(const FlowGrid& flow, const Scene& scene);
 
 }  // namespace clog

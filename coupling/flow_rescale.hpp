@@ -29,7 +29,8 @@ struct RescaledFlow {
 /// channel or grid, or a Reynolds number is too large
 RescaledFlow rescaled_flow(FlowGrid grid, const Scene& scene);
 
-/// Refuses the flow of another scene and names the first value that differs.
+/// Refuses the flow of another scene and names the first value that differs. A flow serves every length of the
+/// channel before what was solved (solved_length).
 void check_flow_belongs(const Scene& scene, const FlowGrid& flow);
 
 }  // namespace clog

@@ -9,7 +9,8 @@ FlowSpace flow_space(const Scene& scene) {
     const FlowMesh mesh = flow_mesh(scene);
     return {.lattice = flow_lattice(scene, mesh), .walls = {}, .unit = 1, .copies = mesh.copies(), .straight = 0};
   }
-  const StlChannel channel = read_stl_channel(scene);
+  const auto read = read_stl_channel(scene);
+  const StlChannel& channel = *read;
   const SnappyMesh mesh = snappy_mesh(scene, channel);
   return {.lattice = stl_lattice(scene, channel, mesh),
           .walls = channel.walls,

@@ -1,14 +1,16 @@
 #include "coupling/foam_case_writer.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <string>
 
+#include "coupling/case_lock.hpp"
 #include "coupling/content_hash.hpp"
+#include "coupling/file_part.hpp"
 #include "coupling/flow_error.hpp"
 #include "coupling/foam_dictionaries.hpp"
 #include "coupling/foam_mesh.hpp"
+#include "coupling/publish_file.hpp"
 #include "coupling/require.hpp"
 #include "coupling/snappy_mesh.hpp"
 #include "coupling/text_file.hpp"
@@ -20,23 +22,24 @@ namespace fs = std::filesystem;
 
 constexpr const char* stl_copy = "geometry.stl";
 
-void write_text(const fs::path& file, const std::string& text) {
-  std::ofstream out(file);
-  out << text;
-  out.close();
-  require(out.good(), "cannot write {} (disk full, or no permission?)", file.string());
-}
+/// In the place of a hash while a case is being written: such a folder is ours, and nothing solves
+/// it.
+constexpr const char* unfinished = "unfinished\n";
 
 bool is_time_folder(const fs::path& path) {
   const std::string name = path.filename().string();
   return name.find_first_not_of("0123456789.") == std::string::npos;
 }
 
+// Without `solved` and with an unfinished hash nobody trusts what a kill in the middle of this
+// leaves.
 void remove_results(const fs::path& folder) {
+  fs::remove(folder / "solved");
+  publish_file(unfinished, folder / "hash");
   for (const auto& entry : fs::directory_iterator(folder)) {
     const auto name = entry.path().filename().string();
     if (name == "postProcessing" || name == "fluxes" || name == "pressure" || name == "coarse" ||
-        name == "solved" || name.starts_with("log.") || is_time_folder(entry.path())) {
+        name.starts_with("log.") || is_time_folder(entry.path())) {
       fs::remove_all(entry.path());
     }
   }
@@ -46,15 +49,20 @@ void remove_results(const fs::path& folder) {
   fs::remove(folder / "meshUnit");
 }
 
-// All that OpenFOAM will read, as text in a fixed order: a changed template or mesh is another
-// case.
-std::string everything(const fs::path& template_folder,
-                       const std::map<std::string, std::string>& generated) {
-  std::map<std::string, std::string> files = generated;
+using Files = std::map<std::string, std::string>;
+
+Files files_of_template(const fs::path& template_folder) {
+  Files files;
   for (const auto& entry : fs::recursive_directory_iterator(template_folder)) {
     if (entry.is_regular_file())
       files[fs::relative(entry.path(), template_folder).string()] = read_text_file(entry.path());
   }
+  return files;
+}
+
+// All that OpenFOAM will read, as text in a fixed order: a changed template or mesh is another
+// case.
+std::string everything(const Files& files) {
   std::string text;
   for (const auto& [name, content] : files) text += name + "\n" + content;
   return text;
@@ -62,14 +70,20 @@ std::string everything(const fs::path& template_folder,
 
 // Refuses a folder that is neither empty nor a flow case: its files would be mixed with ours.
 void refuse_foreign_folder(const fs::path& folder) {
-  require(!fs::exists(folder) || fs::is_directory(folder),
-          "{} is a file (a case needs a folder); name another", folder.string());
-  require(!fs::exists(folder) || fs::is_empty(folder) || fs::exists(folder / "hash"),
+  if (!fs::exists(folder)) return;
+  require(fs::is_directory(folder), "{} is a file (a case needs a folder); name another",
+          folder.string());
+  // What a call that was killed in its first moment left.
+  clear_remainders(folder / "hash");
+  const bool foreign = std::ranges::any_of(fs::directory_iterator(folder), [](const auto& entry) {
+    return entry.path().filename() != "lock";
+  });
+  require(!foreign || fs::exists(folder / "hash"),
           "{} is not empty and not a flow case (it has no file `hash`); name another folder",
           folder.string());
 }
 
-std::map<std::string, std::string> structured(const Scene& scene) {
+Files structured(const Scene& scene) {
   const FlowMesh mesh = flow_mesh(scene);
   const std::vector<std::string> names = station_names(mesh);
   return {{"system/sceneDict", scene_dictionary(scene, flow_lattice(scene, mesh), {})},
@@ -80,8 +94,9 @@ std::map<std::string, std::string> structured(const Scene& scene) {
           {"constant/inletProfile", inlet_profile(scene, mesh)}};
 }
 
-std::map<std::string, std::string> unstructured(const Scene& scene) {
-  const StlChannel channel = read_stl_channel(scene);
+Files unstructured(const Scene& scene) {
+  const auto read = read_stl_channel(scene);
+  const StlChannel& channel = *read;
   const SnappyMesh mesh = snappy_mesh(scene, channel);
   auto files = snappy_files(scene, channel, mesh);
   files["system/sceneDict"] =
@@ -97,26 +112,44 @@ std::string case_scene(const Scene& scene) {
   return effective_scene(here);
 }
 
+// The installation may be read-only: files and folders here are made anew, writable, whatever they
+// are there.
+void write_text(const fs::path& file, const std::string& text) {
+  fs::create_directories(file.parent_path());
+  fs::permissions(file.parent_path(), fs::perms::owner_all, fs::perm_options::add);
+  publish_file(text, file);
+  if (file.filename().string().starts_with("All"))
+    fs::permissions(file, fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec,
+                    fs::perm_options::add);
+}
+
 FoamCaseState write_files(const Scene& scene, const fs::path& folder,
                           const fs::path& template_folder) {
   require(fs::exists(template_folder / "Allrun"),
           "no OpenFOAM template in {} (an incomplete source tree?)", template_folder.string());
-  const std::map<std::string, std::string> generated =
-      is_stl_channel(scene) ? unstructured(scene) : structured(scene);
-  const std::string hash = content_hash(flow_inputs(scene)) + "\n" +
-                           content_hash(everything(template_folder, generated)) + "\n";
+  Files files = is_stl_channel(scene) ? unstructured(scene) : structured(scene);
+  files.merge(files_of_template(template_folder));
+  const std::string hash =
+      content_hash(flow_inputs(scene)) + "\n" + content_hash(everything(files)) + "\n";
   const auto holds = [&](const char* name) {
     return fs::exists(folder / name) && read_text_file(folder / name) == hash;
   };
-  const bool same = holds("hash");
-  if (same && holds("solved")) return FoamCaseState::solved;
+  if (holds("hash") && holds("solved")) return FoamCaseState::solved;
 
   fs::create_directories(folder);
+  CaseLock lock(folder);
+  if (!lock.take()) {
+    // Its solver is at work on what we want.
+    if (holds("hash")) return FoamCaseState::unsolved;
+    require(lock.take_patiently(),
+            "{} is being solved for another flow, by {}; wait for it or name another folder",
+            folder.string(), lock.holder());
+  }
+  const bool same = holds("hash");
+  if (same && holds("solved")) return FoamCaseState::solved;
   remove_results(folder);
-  fs::copy(template_folder, folder,
-           fs::copy_options::recursive | fs::copy_options::overwrite_existing);
   if (is_stl_channel(scene)) fs::create_directories(folder / "constant" / "triSurface");
-  for (const auto& [name, text] : generated) write_text(folder / name, text);
+  for (const auto& [name, text] : files) write_text(folder / name, text);
   write_text(folder / "scene.toml", case_scene(scene));
   write_text(folder / "hash", hash);
   return same ? FoamCaseState::unsolved : FoamCaseState::written;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "coupling/require.hpp"
+#include "coupling/shown_text.hpp"
 #include "coupling/text_file.hpp"
 
 namespace clog {
@@ -26,7 +27,7 @@ double number_after(const std::string& text, const std::string& label, const fs:
   std::istringstream in(rest);
   double number = 0;
   require(static_cast<bool>(in >> number), "{}: \"{} {}\" (expected a number)", file.string(),
-          label, rest);
+          label, shown_text(rest));
   return number;
 }
 

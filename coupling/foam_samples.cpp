@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "coupling/require.hpp"
+#include "coupling/shown_text.hpp"
 #include "coupling/text_file.hpp"
 
 namespace clog {
@@ -32,11 +33,11 @@ std::array<double, 6> six_numbers(std::string_view line, const Place& place) {
     const auto [next, error] = std::from_chars(at, end, number);
     require(error == std::errc{} && std::abs(number) <= std::numeric_limits<float>::max(),
             "{}: \"{}\" (expected six finite numbers x y z Ux Uy Uz; cut short or diverged?); {}",
-            place.text(), line, remedy);
+            place.text(), shown_text(line), remedy);
     at = next;
   }
   skip_blanks();
-  require(at == end, "{}: \"{}\" (more than six numbers); {}", place.text(), line, remedy);
+  require(at == end, "{}: \"{}\" (more than six numbers); {}", place.text(), shown_text(line), remedy);
   return numbers;
 }
 

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "coupling/file_part.hpp"
+
 namespace clog {
 
 /// What kind of file it is; a reader refuses any other name or version.
@@ -49,14 +51,11 @@ private:
   Close close_ = nullptr;
 };
 
-/// Writes into "<file>.part"; finish() gives it its name. Without finish() nothing remains.
+/// Writes into a FilePart; finish() gives it its name. Without finish() nothing remains.
 /// Every member throws Error naming the file and the dataset.
 class Hdf5Writer {
 public:
   Hdf5Writer(const std::filesystem::path& file, const FileFormat& format);
-  ~Hdf5Writer();
-  Hdf5Writer(const Hdf5Writer&) = delete;
-  Hdf5Writer& operator=(const Hdf5Writer&) = delete;
 
   /// T: double, float, std::int64_t, std::uint64_t, std::uint8_t. Groups on the way are created.
   template <class T>
@@ -69,11 +68,12 @@ public:
   void attribute(const std::string& object, const std::string& name, const std::string& text);
   void group(const std::string& path);
 
-  /// Flushes to the disk, then renames.
+  /// Flushes to the disk, then gives it its name.
   void finish();
 
 private:
-  std::filesystem::path file_, part_;
+  std::filesystem::path file_;
+  FilePart part_;  // outlives the handle, so that the library has closed what is removed
   Hdf5Handle handle_;
 };
 
@@ -100,8 +100,13 @@ public:
   void check(bool condition, const std::string& message) const;
 
 private:
+  Hdf5Handle open_dataset(const std::string& dataset) const;
+  void spend(double bytes) const;
+
   std::filesystem::path file_;
   Hdf5Handle handle_;
+  double size_;                  ///< of the file [byte]
+  mutable double unpacked_ = 0;  ///< by all reads so far [byte]
 };
 
 /// Format name and version of any file that Hdf5Writer wrote.

@@ -1,8 +1,8 @@
 // Reading: nothing is taken for granted, since a file may be old, damaged, or another program's.
-#include <limits>
-
+#include "coupling/hdf5_guard.hpp"
 #include "coupling/hdf5_library.hpp"
 #include "coupling/require.hpp"
+#include "coupling/shown_text.hpp"
 
 namespace clog {
 namespace {
@@ -13,19 +13,11 @@ Hdf5Handle open_file(const std::filesystem::path& file) {
   require(std::filesystem::is_regular_file(file), "{} (not a file)", file.string());
   require(H5Fis_hdf5(file.c_str()) > 0, "{} (not an HDF5 file, or cut off)", file.string());
   const Hdf5Handle access = list_handle(H5Pcreate(H5P_FILE_ACCESS));
-  H5Pset_file_locking(access.id(), true, true);
+  // A file that has its name is whole, and network file systems may refuse locks.
+  H5Pset_file_locking(access.id(), false, true);
   Hdf5Handle handle = file_handle(H5Fopen(file.c_str(), H5F_ACC_RDONLY, access.id()));
   require(handle.valid(), "{} (damaged or cut off, or still being written)", file.string());
   return handle;
-}
-
-// Links are followed one by one, since asking for "/a/b" fails hard where "/a" is missing.
-bool path_exists(hid_t file, const std::string& path) {
-  if (path == "/") return true;
-  for (std::size_t at = path.find('/', 1);; at = path.find('/', at + 1)) {
-    if (H5Lexists(file, path.substr(0, at).c_str(), H5P_DEFAULT) <= 0) return false;
-    if (at == std::string::npos) return H5Oexists_by_name(file, path.c_str(), H5P_DEFAULT) > 0;
-  }
 }
 
 struct TextPlace {
@@ -36,13 +28,12 @@ struct TextPlace {
 // A fixed-length text, without its padding.
 template <class Read>
 std::string read_fixed_text(const TextPlace& place, const Hdf5Handle& type, const Read& read) {
-  constexpr std::size_t longest = 1 << 28;
   const bool fixed =
       type.valid() && H5Tget_class(type.id()) == H5T_STRING && H5Tis_variable_str(type.id()) == 0;
   require(fixed, "{}: {} (must be a text of fixed length)", place.file.string(), place.name);
   const std::size_t size = H5Tget_size(type.id());
-  require(size > 0 && size < longest, "{}: {} (damaged: a text of {} bytes)", place.file.string(),
-          place.name, size);
+  require(size > 0 && size <= std::filesystem::file_size(place.file),
+          "{}: {} (damaged: a text of {} bytes)", place.file.string(), place.name, size);
   std::string text(size, '\0');
   require(read(type.id(), text.data()) >= 0, "{}: {} (damaged or cut off)", place.file.string(),
           place.name);
@@ -64,29 +55,51 @@ bool same_class(hid_t type) {
 }  // namespace
 
 Hdf5Reader::Hdf5Reader(const std::filesystem::path& file, const FileFormat& format)
-    : file_(file), handle_(open_file(file)) {
+    : file_(file),
+      handle_(open_file(file)),
+      size_(static_cast<double>(std::filesystem::file_size(file))) {
   const FileFormat found = file_format(file);
   require(found.name == format.name, "{} (is a \"{}\" file, a \"{}\" file is needed)",
-          file.string(), found.name, format.name);
+          file.string(), shown_text(found.name), format.name);
   require(found.version == format.version,
           "{} (has version {} of \"{}\", this program reads version {})", file.string(),
           found.version, format.name, format.version);
 }
 
-bool Hdf5Reader::has(const std::string& path) const { return path_exists(handle_.id(), path); }
+bool Hdf5Reader::has(const std::string& path) const {
+  try {
+    return object_exists(handle_.id(), path);
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", file_.string(), error.what()));
+  }
+}
 
 void Hdf5Reader::check(bool condition, const std::string& message) const {
   require(condition, "{}: {}", file_.string(), message);
 }
 
+// Many datasets may name the same stored bytes: their sum is bounded too.
+void Hdf5Reader::spend(double bytes) const {
+  unpacked_ += bytes;
+  check(unpacked_ <= largest_ratio * size_,
+        "unpacks to more than a file of its size can hold (made to fill the memory?)");
+}
+
+Hdf5Handle Hdf5Reader::open_dataset(const std::string& dataset) const {
+  check(has(dataset), dataset + " is missing");
+  Hdf5Handle data = dataset_handle(H5Dopen2(handle_.id(), dataset.c_str(), H5P_DEFAULT));
+  check(data.valid(), dataset + " (not a dataset, or damaged)");
+  const std::string wrong = storage_fault(data.id());
+  check(wrong.empty(), fmt::format("{} ({})", dataset, wrong));
+  return data;
+}
+
 template <class T>
 Hdf5Array<T> Hdf5Reader::read(const std::string& dataset, const std::string& unit) const {
-  check(has(dataset), dataset + " is missing");
-  const Hdf5Handle data = dataset_handle(H5Dopen2(handle_.id(), dataset.c_str(), H5P_DEFAULT));
-  check(data.valid(), dataset + " (not a dataset, or damaged)");
+  const Hdf5Handle data = open_dataset(dataset);
   const std::string found = text_attribute(dataset, "unit");
   check(found == unit,
-        fmt::format("{} has the unit \"{}\" (must be \"{}\")", dataset, found, unit));
+        fmt::format("{} has the unit \"{}\" (must be \"{}\")", dataset, shown_text(found), unit));
   const Hdf5Handle type = type_handle(H5Dget_type(data.id()));
   check(type.valid() && same_class<T>(type.id()),
         fmt::format("{} (must hold {} of at most {} bytes)", dataset,
@@ -98,12 +111,12 @@ Hdf5Array<T> Hdf5Reader::read(const std::string& dataset, const std::string& uni
   std::vector<hsize_t> extent(static_cast<std::size_t>(rank));
   H5Sget_simple_extent_dims(space.id(), extent.data(), nullptr);
 
-  // A damaged size must not become an allocation: deflate shrinks at most 1032 times.
-  constexpr double largest_ratio = 1040;
+  // A damaged size must not become an allocation.
   double bytes = sizeof(T);
   for (const hsize_t length : extent) bytes *= static_cast<double>(length);
-  const double stored = static_cast<double>(H5Dget_storage_size(data.id()));
-  check(bytes <= largest_ratio * stored, dataset + " (damaged: larger than what is stored)");
+  const std::string too_large = size_fault(data.id(), bytes);
+  check(too_large.empty(), fmt::format("{} ({})", dataset, too_large));
+  spend(bytes);
 
   Hdf5Array<T> array{.values = {}, .shape = {extent.begin(), extent.end()}};
   array.values.resize(static_cast<std::size_t>(bytes) / sizeof(T));
@@ -115,9 +128,8 @@ Hdf5Array<T> Hdf5Reader::read(const std::string& dataset, const std::string& uni
 }
 
 std::string Hdf5Reader::read_text(const std::string& dataset) const {
-  check(has(dataset), dataset + " is missing");
-  const Hdf5Handle data = dataset_handle(H5Dopen2(handle_.id(), dataset.c_str(), H5P_DEFAULT));
-  check(data.valid() && is_scalar(space_handle(H5Dget_space(data.id()))),
+  const Hdf5Handle data = open_dataset(dataset);
+  check(is_scalar(space_handle(H5Dget_space(data.id()))),
         dataset + " (not a single text, or damaged)");
   return read_fixed_text({file_, dataset}, type_handle(H5Dget_type(data.id())),
                          [&](hid_t type, void* text) {

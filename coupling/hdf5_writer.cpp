@@ -1,10 +1,9 @@
 // Writing: checksummed metadata and data, compressed where it pays, renamed only when whole.
 #include <algorithm>
 #include <numeric>
-#include <system_error>
+#include <string_view>
 
 #include "coupling/hdf5_library.hpp"
-#include "coupling/publish_file.hpp"
 #include "coupling/require.hpp"
 
 namespace clog {
@@ -47,6 +46,24 @@ Hdf5Handle text_type(const std::string& text) {
   return type;
 }
 
+herr_t take_system_message(unsigned, const H5E_error2_t* error, void* found) {
+  constexpr std::string_view label = "error message = '";
+  const std::string_view text = error->desc == nullptr ? "" : error->desc;
+  const auto at = text.find(label);
+  if (at == text.npos) return 0;
+  const auto rest = text.substr(at + label.size());
+  *static_cast<std::string*>(found) = rest.substr(0, rest.find('\''));
+  return 1;
+}
+
+/// Why the call that has just failed did: the library quotes the system in the lowest of its
+/// messages.
+std::string system_reason() {
+  std::string reason;
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, take_system_message, &reason);
+  return reason.empty() ? "disk full?" : reason;
+}
+
 std::string padded(const std::string& text) { return text.empty() ? std::string(1, '\0') : text; }
 
 }  // namespace
@@ -57,32 +74,17 @@ extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5"; }
 #endif
 
 Hdf5Writer::Hdf5Writer(const std::filesystem::path& file, const FileFormat& format)
-    : file_(file), part_(file.string() + ".part") {
+    : file_(file), part_(file) {
   silence_hdf5();
   const Hdf5Handle access = list_handle(H5Pcreate(H5P_FILE_ACCESS));
   // The newest layout that HDF5 1.10 reads: its metadata carry checksums.
   H5Pset_libver_bounds(access.id(), H5F_LIBVER_V110, H5F_LIBVER_V110);
-  H5Pset_file_locking(access.id(), true, true);
-  handle_ = file_handle(H5Fcreate(part_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()));
-  try {
-    require(handle_.valid(), "{} (cannot be created: does its folder exist, is it writable, disk full?)",
-            part_.string());
-    attribute("/", "format", format.name);
-    attribute("/", "version", std::vector<std::int64_t>{format.version});
-  } catch (const Error&) {
-    // On a full disk the library makes an empty file before it fails; no destructor follows a constructor's throw.
-    handle_.reset();
-    std::error_code ignored;
-    std::filesystem::remove(part_, ignored);
-    throw;
-  }
-}
-
-Hdf5Writer::~Hdf5Writer() {
-  if (!handle_.valid()) return;
-  handle_.reset();
-  std::error_code ignored;
-  std::filesystem::remove(part_, ignored);
+  // The part has a lock already.
+  H5Pset_file_locking(access.id(), false, true);
+  handle_ = file_handle(H5Fcreate(part_.path().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()));
+  require(handle_.valid(), "{} (cannot be written: {})", file_.string(), system_reason());
+  attribute("/", "format", format.name);
+  attribute("/", "version", std::vector<std::int64_t>{format.version});
 }
 
 template <class T>
@@ -104,7 +106,7 @@ void Hdf5Writer::write(const std::string& dataset, const std::vector<T>& values,
     const bool done =
         data.valid() && (values.empty() || H5Dwrite(data.id(), memory_type<T>(), H5S_ALL, H5S_ALL,
                                                     H5P_DEFAULT, values.data()) >= 0);
-    require(done, "{}: {}: cannot be written (disk full?)", file_.string(), dataset);
+    require(done, "{}: {}: cannot be written ({})", file_.string(), dataset, system_reason());
   }
   attribute(dataset, "unit", layout.unit);
 }
@@ -118,7 +120,7 @@ void Hdf5Writer::write_text(const std::string& dataset, const std::string& text)
                                 with_groups().id(), list.id(), H5P_DEFAULT));
   const bool done = data.valid() && H5Dwrite(data.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT,
                                              padded(text).c_str()) >= 0;
-  require(done, "{}: {}: cannot be written (disk full?)", file_.string(), dataset);
+  require(done, "{}: {}: cannot be written ({})", file_.string(), dataset, system_reason());
 }
 
 template <class T>
@@ -131,7 +133,8 @@ void Hdf5Writer::attribute(const std::string& object, const std::string& name,
   const Hdf5Handle attribute = attribute_handle(
       H5Acreate2(target.id(), name.c_str(), disk_type<T>(), space.id(), H5P_DEFAULT, H5P_DEFAULT));
   require(attribute.valid() && H5Awrite(attribute.id(), memory_type<T>(), values.data()) >= 0,
-          "{}: {}: attribute {} cannot be written (disk full?)", file_.string(), object, name);
+          "{}: {}: attribute {} cannot be written ({})", file_.string(), object, name,
+          system_reason());
 }
 
 void Hdf5Writer::attribute(const std::string& object, const std::string& name,
@@ -142,24 +145,23 @@ void Hdf5Writer::attribute(const std::string& object, const std::string& name,
   const Hdf5Handle attribute = attribute_handle(
       H5Acreate2(target.id(), name.c_str(), type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT));
   require(attribute.valid() && H5Awrite(attribute.id(), type.id(), padded(text).c_str()) >= 0,
-          "{}: {}: attribute {} cannot be written (disk full?)", file_.string(), object, name);
+          "{}: {}: attribute {} cannot be written ({})", file_.string(), object, name,
+          system_reason());
 }
 
 void Hdf5Writer::group(const std::string& path) {
   const Hdf5Handle group = hdf5_handle<H5Gclose>(
       H5Gcreate2(handle_.id(), path.c_str(), with_groups().id(), H5P_DEFAULT, H5P_DEFAULT));
-  require(group.valid(), "{}: {}: cannot be created (disk full?)", file_.string(), path);
+  require(group.valid(), "{}: {}: cannot be created ({})", file_.string(), path, system_reason());
 }
 
 void Hdf5Writer::finish() {
   const bool flushed = H5Fflush(handle_.id(), H5F_SCOPE_LOCAL) >= 0;
+  const std::string reason = flushed ? "" : system_reason();
   const bool closed = handle_.reset();
-  if (!flushed || !closed) {
-    std::error_code ignored;
-    std::filesystem::remove(part_, ignored);
-    throw Error(fmt::format("{} (cannot be written: disk full?)", file_.string()));
-  }
-  rename_whole_file(part_, file_);
+  require(flushed, "{} (cannot be written: {})", file_.string(), reason);
+  require(closed, "{} (cannot be written: {})", file_.string(), system_reason());
+  part_.publish();
 }
 
 template void Hdf5Writer::write(const std::string&, const std::vector<double>&,

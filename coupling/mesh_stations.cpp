@@ -6,11 +6,6 @@
 namespace clog {
 namespace {
 
-// Disturbances of the narrowing die out upstream like exp(-2 pi x / width), so 1.25 widths leave
-// 4e-4.
-constexpr double development_widths = 1.25;
-constexpr double shortest_upstream_widths = 0.5;
-
 // The neck's entrance flow develops within about one neck height at Reynolds numbers of order one.
 constexpr double neck_continuation = 0.5;
 
@@ -65,6 +60,7 @@ public:
   Builder(const Scene& scene, const ChannelShape& shape)
       : g_(scene.geometry),
         shape_(shape),
+        straight_part_(solved_length(scene)),
         cell_(scene.geometry.neck_width / scene.flow.mesh_cells_per_neck) {
     sides_ = {&shape.upper};
     if (!shape.symmetric) sides_.push_back(&shape.lower);
@@ -161,18 +157,15 @@ private:
   }
 
   void add_inlet() {
-    const double widest = std::max(g_.channel_width, g_.neck_height);
-    const double straight_part = std::clamp(g_.channel_length, shortest_upstream_widths * widest,
-                                            development_widths * widest);
     double begin = 0, before = 3 * cell_;
     if (!stations_.empty()) {
       begin = stations_.front().foot.front().wall.x();
       for (const MeshFoot& foot : stations_.front().foot) begin = std::min(begin, foot.wall.x());
       before = stations_.front().foot.front().before;
     }
-    const double size = std::max(0.13 * straight_part, before);
+    const double size = std::max(0.13 * straight_part_, before);
     stations_.insert(stations_.begin(),
-                     straight("inlet", begin - straight_part, grade_inlet, size, size));
+                     straight("inlet", begin - straight_part_, grade_inlet, size, size));
   }
 
   void add_neck() {
@@ -201,7 +194,7 @@ private:
 
   decltype(Scene::geometry) g_;
   const ChannelShape& shape_;
-  double cell_;
+  double straight_part_, cell_;
   std::vector<const ChannelSide*> sides_;
   std::vector<MeshStation> stations_;
 };

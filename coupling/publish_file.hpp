@@ -4,14 +4,14 @@
 #include <filesystem>
 #include <string>
 
+#include "coupling/file_part.hpp"
+
 namespace clog {
 
-/// Writes "<file>.part" beside, flushes it to the disk, renames it. On failure an older file of
+/// Writes it beside (FilePart), flushes it to the disk, renames it. On failure an older file of
 /// that name is untouched and nothing else remains. \throws Error naming the file and the system's
 /// reason
-void publish_file(const std::string& content, const std::filesystem::path& file);
-
-/// The second half alone, for a complete `part` written by other means.
-void rename_whole_file(const std::filesystem::path& part, const std::filesystem::path& file);
+void publish_file(const std::string& content, const std::filesystem::path& file,
+                  NamedWhen named = NamedWhen::flushed);
 
 }  // namespace clog

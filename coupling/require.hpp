@@ -15,8 +15,11 @@ public:
   explicit Error(std::string message) : std::runtime_error(one_line(std::move(message))) {}
 
 private:
-  /// A message quotes what the user gave; a line break or a control character in that stays one line.
+  /// A message quotes what the user gave: a line break or a control character in that stays one line, and what is
+  /// endless loses its middle, since the remedy comes last.
   static std::string one_line(std::string text) {
+    constexpr std::size_t longest = 1000, head = 600;
+    if (text.size() > longest) text.replace(head, text.size() - longest, " ... ");
     for (char& c : text)
       if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = ' ';
     return text;

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "coupling/hdf5_file.hpp"
+#include "coupling/provenance_record.hpp"
 #include "coupling/require.hpp"
 #include "coupling/snapshot_index.hpp"
 
@@ -59,6 +60,23 @@ bool is_ordered(const std::vector<double>& times) {
 
 }  // namespace
 
+RunRows rows_of(const RunData& run) {
+  return {run.passages.time.size(), run.releases.off.size(), run.series.time.size(), run.snapshots.size()};
+}
+
+bool cut_rows(RunData& run, const RunRows& rows) {
+  const RunRows there = rows_of(run);
+  if (rows.passages > there.passages || rows.releases > there.releases || rows.series > there.series ||
+      rows.snapshots > there.snapshots || !fault(run).empty())
+    return false;
+  for_each_column(run, [&](std::string_view group, const char*, auto& values, const char*) {
+    values.resize(group == "/passages" ? rows.passages : group == "/releases" ? rows.releases : rows.series);
+  });
+  run.series.porosity.resize(rows.series);
+  run.snapshots.resize(rows.snapshots);
+  return true;
+}
+
 std::string fault(const RunData& run) {
   std::string wrong;
   std::string_view table;
@@ -89,7 +107,8 @@ std::string fault(const RunData& run) {
   if (!is_ordered(run.passages.time))
     return "/passages/time is not in ascending order, or not finite";
   if (!is_ordered(run.series.time)) return "/series/time is not in ascending order, or not finite";
-  if (!std::isfinite(run.end_time)) return "/end_time is not finite";
+  if (!(std::isfinite(run.end_time) && run.end_time >= 0))
+    return fmt::format("/end_time is {} s (must be from 0 on)", run.end_time);
   return {};
 }
 
@@ -204,10 +223,28 @@ void write_run_file(const RunData& run, const std::filesystem::path& file) {
   out.write("/provenance/seed", std::vector<std::uint64_t>{run.seed}, {.unit = "1", .shape = {}});
   out.write_text("/provenance/scene", run.scene_text);
   out.write_text("/provenance/record", run.provenance.dump(2));
+  if (!run.end_state.empty())
+    out.write("/end_state", std::vector<std::uint8_t>(run.end_state.begin(), run.end_state.end()),
+              {.unit = "1", .shape = {}});
   // The run file comes last: where it stands, the seed is done.
   write_snapshot_index(run, file);
   out.finish();
 }
+
+namespace {
+
+void read_head(const Hdf5Reader& in, RunData& run) {
+  const auto end_time = in.read<double>("/end_time", "s").values;
+  const auto seed = in.read<std::uint64_t>("/provenance/seed", "1").values;
+  in.check(end_time.size() == 1 && seed.size() == 1,
+           "/end_time or /provenance/seed is not one number");
+  run.end_time = end_time[0];
+  run.seed = seed[0];
+  run.scene_text = in.read_text("/provenance/scene");
+  run.provenance = read_record(in);
+}
+
+}  // namespace
 
 RunData read_run_file(const std::filesystem::path& file) {
   const Hdf5Reader in(file, run_format);
@@ -221,18 +258,26 @@ RunData read_run_file(const std::filesystem::path& file) {
       });
   run.series.porosity = read_porosity(in);
   run.snapshots = read_snapshots(in);
-  const auto end_time = in.read<double>("/end_time", "s").values;
-  const auto seed = in.read<std::uint64_t>("/provenance/seed", "1").values;
-  in.check(end_time.size() == 1 && seed.size() == 1,
-           "/end_time or /provenance/seed is not one number");
-  run.end_time = end_time[0];
-  run.seed = seed[0];
-  run.scene_text = in.read_text("/provenance/scene");
-  run.provenance = nlohmann::json::parse(in.read_text("/provenance/record"), nullptr, false);
-  in.check(!run.provenance.is_discarded(), "/provenance/record is no JSON");
+  read_head(in, run);
   const std::string wrong = fault(run);
   in.check(wrong.empty(), wrong);
+  for (const auto* times : {&run.passages.time, &run.series.time, &run.releases.off})
+    in.check(times->empty() || times->back() <= run.end_time,
+             fmt::format("a time of {} s is beyond /end_time = {} s", times->empty() ? 0 : times->back(), run.end_time));
   return run;
+}
+
+RunData read_run_head(const std::filesystem::path& file) {
+  RunData run;
+  read_head(Hdf5Reader(file, run_format), run);
+  return run;
+}
+
+std::string read_end_state(const std::filesystem::path& file) {
+  const Hdf5Reader in(file, run_format);
+  if (!in.has("/end_state")) return {};
+  const auto bytes = in.read<std::uint8_t>("/end_state", "1").values;
+  return {bytes.begin(), bytes.end()};
 }
 
 std::string run_file_name(std::uint64_t seed) { return fmt::format("run_{:04}.h5", seed); }

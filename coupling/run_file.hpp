@@ -15,8 +15,8 @@ namespace clog {
 struct RunData {
   std::uint64_t seed = 0;
   std::string scene_text;     ///< effective scene
-  nlohmann::json provenance;  ///< program revision, compiler, ISA, host, wall time, particle-steps/s,
-                              ///< flow hash, fill_time, start ...
+  nlohmann::json provenance;  ///< program revision, compiler, ISA, host, flow hash ...; the names that
+                              ///< are read again: coupling/run_record.hpp
   double end_time = 0;        ///< simulated [s]; the last lapse is censored here
 
   struct {
@@ -68,6 +68,10 @@ struct RunData {
   };
   std::vector<Snapshot> snapshots;
 
+  /// Of the solver just before what only the end adds, from which a run is lengthened; empty: none. Written, but
+  /// read by read_end_state() alone.
+  std::string end_state;
+
   /// For a checkpoint, see coupling/archive.hpp.
   template <class Archive>
   void exchange(Archive& archive) {
@@ -81,6 +85,20 @@ struct RunData {
   }
 };
 
+/// Rows of the tables.
+struct RunRows {
+  std::uint64_t passages = 0, releases = 0, series = 0, snapshots = 0;
+
+  template <class Archive>
+  void exchange(Archive& archive) {
+    archive(passages, releases, series, snapshots);
+  }
+};
+RunRows rows_of(const RunData& run);
+
+/// Takes away the rows beyond. \return whether there were as many
+bool cut_rows(RunData& run, const RunRows& rows);
+
 /// What makes the data impossible as the result of a run, or an empty text.
 std::string fault(const RunData& run);
 
@@ -89,6 +107,12 @@ void write_run_file(const RunData& run, const std::filesystem::path& file);
 
 /// \throws Error on an unknown version, missing table or unit, unequal columns, or a truncated file
 RunData read_run_file(const std::filesystem::path& file);
+
+/// Only seed, scene, provenance and end_time. \throws Error likewise
+RunData read_run_head(const std::filesystem::path& file);
+
+/// Empty for a file of a program that kept none. \throws Error likewise
+std::string read_end_state(const std::filesystem::path& file);
 
 /// run_0007.h5
 std::string run_file_name(std::uint64_t seed);

@@ -5,7 +5,9 @@
 #include <iterator>
 
 #include "coupling/require.hpp"
+#include "coupling/scene_bounds.hpp"
 #include "coupling/scene_draft.hpp"
+#include "coupling/shown_text.hpp"
 
 namespace clog {
 namespace {
@@ -24,8 +26,9 @@ void locate(const SceneDraft& draft, const std::filesystem::path& folder,
   const auto given = draft.given.find(path);
   if (!given->second.where.starts_with("--set "))
     *file = (folder / *file).lexically_normal().string();
-  require(std::filesystem::is_regular_file(*file), "{} (there is no file {})", draft.says(path),
-          *file);
+  std::error_code ignored;  // such as a name that is too long
+  require(std::filesystem::is_regular_file(*file, ignored), "{} (there is no file {})",
+          draft.says(path), shown_text(*file, 300));
 }
 
 }  // namespace
@@ -34,6 +37,9 @@ Scene read_scene(const std::filesystem::path& file, const Overrides& overrides) 
   require(std::filesystem::exists(file), "{} (no such scene file)", file.string());
   // Asked first: to open a pipe waits for its other end.
   require(std::filesystem::is_regular_file(file), "{} (the scene file cannot be read: it is no regular file)", file.string());
+  // Before it is read into memory.
+  require(std::filesystem::file_size(file) <= longest_scene, "{} ({} bytes: a scene has at most {})", file.string(),
+          std::filesystem::file_size(file), longest_scene);
   std::ifstream stream(file, std::ios::binary);
   require(stream.good(), "{} (the scene file cannot be read)", file.string());
   const std::string text{std::istreambuf_iterator<char>(stream), {}};

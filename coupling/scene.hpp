@@ -47,6 +47,7 @@ struct Scene {
     double expansion_angle = 0;   ///< of its walls, from the flow axis [rad]; default half_angle
     std::string stl;            ///< walls from this file instead of the shape above; empty: none
     double stl_unit = 0;        ///< length that the file counts in [m]; 0: metres
+    double stl_tolerance = -1;  ///< between corners that are one [m]; < 0: a share of the extent
     std::string stl_content;    ///< content hash of the file of a channel; empty: not a channel
     double inlet_position = 0;  ///< x of the inlet of a channel from a file [m]; 0: none
     double outlet_position = 0;  ///< x of its outlet [m]; 0: none

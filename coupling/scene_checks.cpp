@@ -6,6 +6,7 @@
 #include "coupling/require.hpp"
 #include "coupling/scene_draft.hpp"
 #include "coupling/scene_keys.hpp"
+#include "coupling/stl_channel.hpp"
 #include "coupling/sweep.hpp"
 #include "coupling/units.hpp"
 
@@ -32,6 +33,8 @@ void check_walls(const SceneDraft& draft) {
     require(geometry.channel_width >= geometry.neck_width,
             "{} (must not be wider than geometry.channel_width = {})",
             draft.says("geometry.neck_width"), metres(geometry.channel_width));
+  for (const char* key : {"geometry.stl_unit", "geometry.stl_tolerance"})
+    require(!draft.has(key) || !geometry.stl.empty(), "{} (needs geometry.stl too)", draft.says(key));
   if (geometry.present && geometry.neck_width > 0 && geometry.stl.empty()) {
     for (const char* key : {"geometry.expansion_length", "geometry.expansion_angle"})
       require(!draft.has(key) || geometry.expansion_width > 0, "{} (needs geometry.expansion_width too)",
@@ -140,10 +143,14 @@ void check_terms(const SceneDraft& draft) {
 /// Nothing is ever counted at a plane that no particle reaches, or before which none begins.
 void check_plane(const SceneDraft& draft) {
   const Scene& s = draft.scene;
-  if (!s.geometry.present || !(s.geometry.neck_width > 0) || !s.geometry.stl.empty()) return;
-  const double start = channel_start(s), end = channel_end(s);
-  require(s.passages.plane > start && s.passages.plane < end,
-          "{} (must be in the channel, from {} to {})", draft.says("passages.plane"), metres(start), metres(end));
+  const auto lies_between = [&](double start, double end, const char* where) {
+    require(s.passages.plane > start && s.passages.plane < end, "{} (must be in the {}, from {} to {})",
+            draft.says("passages.plane"), where, metres(start), metres(end));
+  };
+  // A laboratory counts nothing unless a plane is given.
+  if (s.box.present && s.passages.plane != 0) lies_between(s.box.min[0], s.box.max[0], "box");
+  const bool by_keys = s.geometry.stl.empty() && s.geometry.neck_width > 0;
+  if (s.geometry.present && (by_keys || is_stl_channel(s))) lies_between(channel_start(s), channel_end(s), "channel");
 }
 
 void check_times(const SceneDraft& draft) {

@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "coupling/require.hpp"
+#include "coupling/scene_bounds.hpp"
 #include "coupling/scene_keys.hpp"
 #include "coupling/scene_value.hpp"
+#include "coupling/shown_text.hpp"
 
 namespace clog {
 namespace {
@@ -20,8 +22,7 @@ struct Leaf {
 
 [[noreturn]] void refuse_unknown(const std::string& where, const std::string& path,
                                  const std::string& shown) {
-  throw Error(fmt::format("{}: {} = {} (unknown key; the nearest known key is {})", where, path,
-                          shown, nearest_key(path)));
+  throw Error(fmt::format("{}: {} = {} ({})", where, shown_text(path), shown, unknown_key(path)));
 }
 
 // Tables in a TOML library are sorted by name; messages and printing want the order of the file.
@@ -67,10 +68,12 @@ void set_leaf(const Placed& leaf, SceneDraft& draft) {
 }
 
 toml::table parse_document(const std::string& text, const std::string& name) {
+  check_scene_text(text, name);
   try {
     return toml::parse(text, name);
   } catch (const toml::parse_error& error) {
-    throw Error(fmt::format("{}:{}: {}", name, error.source().begin.line, error.description()));
+    throw Error(fmt::format("{}:{}: {}", name, error.source().begin.line,
+                            shown_text(error.description())));
   }
 }
 
@@ -88,9 +91,10 @@ struct Override {
   explicit Override(const std::string& text) {
     const std::size_t equals = text.find('=');
     require(equals != std::string::npos && equals > 0,
-            "--set {} (write key=value, e.g. --set particles.diameter=\"33 um\")", text);
+            "--set {} (write key=value, e.g. --set particles.diameter=\"33 um\")", shown_text(text));
     path = trimmed(text.substr(0, equals));
     const std::string value = trimmed(text.substr(equals + 1));
+    check_scene_text(value, "--set " + shown_text(text));
     try {
       holder = toml::parse("value = " + value);
       if (holder.size() == 1 && holder.contains("value")) return;
@@ -133,7 +137,7 @@ SceneDraft read_draft(const std::string& text, const std::string& name,
     if (!replaced) set_leaf({fmt::format("{}:{}", name, leaf.line), leaf.path, leaf.value}, draft);
   }
   for (std::size_t i = 0; i < replacements.size(); ++i)
-    set_leaf({"--set " + overrides[i], replacements[i].path, &replacements[i].value()}, draft);
+    set_leaf({"--set " + shown_text(overrides[i]), replacements[i].path, &replacements[i].value()}, draft);
   return draft;
 }
 

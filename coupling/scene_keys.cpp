@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include <fmt/format.h>
+
+#include "coupling/nearest_word.hpp"
 
 namespace clog {
 namespace {
@@ -64,6 +65,7 @@ std::vector<Key> make_keys() {
       ANGLE(geometry.expansion_angle, "of its walls, from the flow axis; default half_angle"),
       TEXT(geometry.stl, "walls from this STL file instead of the shape above; with neck_width a channel whose inlet and outlet are named"),
       NUMBER(geometry.stl_unit, length, positive, "length that the STL file counts in; default 1 m"),
+      NUMBER(geometry.stl_tolerance, length, non_negative, "corners of the STL file that differ by less along x, y and z are one; default 1e-6 of its largest extent"),
       TEXT(geometry.stl_content, "content hash of the STL file of a channel; default: computed"),
       NUMBER(geometry.inlet_position, length, (Range{.high = 0, .high_allowed = false}), "x of the inlet of an STL channel; default: measured"),
       NUMBER(geometry.outlet_position, length, positive, "x of the outlet of an STL channel; default: measured"),
@@ -143,7 +145,7 @@ std::vector<Key> make_keys() {
       WORD(time.integrator, "drag explicit, or implicit so that it never limits the step, or drag and lubrication both", "verlet", "implicit_drag", "implicit_fluid"),
       SWITCH(time.allow_unstable, "run with a step above its limit, for studies of what that does; default false"),
 
-      NUMBER(passages.plane, length, any, "x that a particle must cross; default the middle of the neck"),
+      NUMBER(passages.plane, length, any, "x that a particle must cross; default the middle of the neck; 0 in a box or between walls from a file: none"),
 
       NUMBER(output.snapshot_interval, time, non_negative, "default 0: no snapshots"),
       NUMBER(output.series_interval, time, positive, "default a tenth of the Stokes time"),
@@ -157,22 +159,6 @@ std::vector<Key> make_keys() {
   };
 }
 // clang-format on
-
-// Levenshtein's distance, one row at a time.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, replaced});
-    }
-  }
-  return row.back();
-}
 
 std::string_view last_name(std::string_view path) { return path.substr(path.rfind('.') + 1); }
 
@@ -214,12 +200,20 @@ bool is_section(std::string_view path) {
 }
 
 std::string_view nearest_key(std::string_view path) {
+  // Twice as long as any of ours: what comes after makes no difference to which is nearest.
+  path = path.substr(0, 80);
   // A right name in a wrong section must win over a similar path, hence the second measure.
   const auto distance = [path](const Key& key) {
     const std::size_t leaf = edit_distance(last_name(path), last_name(key.path));
     return std::min(edit_distance(path, key.path), 2 + leaf + leaf);
   };
-  return std::ranges::min_element(scene_keys(), {}, distance)->path;
+  const auto nearest = std::ranges::min_element(scene_keys(), {}, distance);
+  return is_near(distance(*nearest), path) ? nearest->path : std::string_view{};
+}
+
+std::string unknown_key(std::string_view path) {
+  const std::string_view nearest = nearest_key(path);
+  return nearest.empty() ? "unknown key" : fmt::format("unknown key; the nearest known key is {}", nearest);
 }
 
 }  // namespace clog

@@ -88,8 +88,11 @@ std::string_view section_of(std::string_view path);
 
 bool is_section(std::string_view path);
 
-/// The known key with the smallest edit distance.
+/// The known key with the smallest edit distance; empty if none is near.
 std::string_view nearest_key(std::string_view path);
+
+/// "unknown key", and the nearest one if there is any.
+std::string unknown_key(std::string_view path);
 
 /// Largest half angle of the narrowing: a sudden step [rad].
 inline constexpr double largest_half_angle = std::numbers::pi / 2;

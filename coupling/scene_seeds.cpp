@@ -5,6 +5,7 @@
 
 #include "coupling/require.hpp"
 #include "coupling/scene.hpp"
+#include "coupling/shown_text.hpp"
 
 namespace clog {
 namespace {
@@ -18,7 +19,7 @@ std::uint64_t read_seed(std::string_view text, const std::string& whole) {
   std::uint64_t seed = 0;
   const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), seed);
   require(status == std::errc{} && end == text.data() + text.size() && seed <= largest_seed,
-          "\"{}\" (must be whole numbers up to {}, e.g. \"1-40\" or \"1-4,9\")", whole,
+          "\"{}\" (must be whole numbers up to {}, e.g. \"1-40\" or \"1-4,9\")", shown_text(whole),
           largest_seed);
   return seed;
 }
@@ -34,8 +35,8 @@ std::vector<std::uint64_t> parse_seeds(const std::string& text) {
     const std::uint64_t first = read_seed(part.substr(0, dash), text);
     const std::uint64_t last =
         dash == std::string_view::npos ? first : read_seed(part.substr(dash + 1), text);
-    require(first <= last, "\"{}\" (the range {} runs backwards)", text, part);
-    require(seeds.size() + (last - first) < most_seeds, "\"{}\" (more than {} seeds)", text,
+    require(first <= last, "\"{}\" (the range {} runs backwards)", shown_text(text), part);
+    require(seeds.size() + (last - first) < most_seeds, "\"{}\" (more than {} seeds)", shown_text(text),
             most_seeds);
     for (std::uint64_t seed = first; seed <= last; ++seed) seeds.push_back(seed);
     at = end + 1;
@@ -43,7 +44,7 @@ std::vector<std::uint64_t> parse_seeds(const std::string& text) {
   // One seed is one file: named twice it would be written twice.
   std::set<std::uint64_t> seen;
   for (const std::uint64_t seed : seeds)
-    require(seen.insert(seed).second, "\"{}\" (seed {} is named twice)", text, seed);
+    require(seen.insert(seed).second, "\"{}\" (seed {} is named twice)", shown_text(text), seed);
   return seeds;
 }
 

@@ -6,6 +6,7 @@
 #include "coupling/scene_draft.hpp"
 #include "coupling/scene_keys.hpp"
 #include "coupling/stl_channel.hpp"
+#include "coupling/stl_surface.hpp"
 
 namespace clog {
 namespace {
@@ -44,13 +45,15 @@ void measure_stl(SceneDraft& draft) {
           "geometry.stl = {} (its content {} is not the {} of the scene: the file has changed)", geometry.stl,
           content, geometry.stl_content);
   geometry.stl_content = content;
-  const StlChannel channel = read_stl_channel(draft.scene);
+  const auto read = read_stl_channel(draft.scene);
+  const StlChannel& channel = *read;
   measure(draft, "geometry.neck_width", channel.neck_width);
   measure(draft, "geometry.neck_height", channel.height);
   measure(draft, "geometry.channel_width", channel.width);
   measure(draft, "geometry.channel_length", channel.straight_end - channel.inlet);
   measure(draft, "geometry.inlet_position", channel.inlet);
   measure(draft, "geometry.outlet_position", channel.outlet);
+  measure(draft, "geometry.neck_length", channel.neck_length);
 }
 
 }  // namespace clog

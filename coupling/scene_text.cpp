@@ -1,6 +1,7 @@
 // The scene back to text: complete, in SI units, in the order of the key table.
 #include <cmath>
 
+#include "coupling/channel_shape.hpp"
 #include "coupling/require.hpp"
 #include "coupling/scene_keys.hpp"
 #include "coupling/stl_channel.hpp"
@@ -25,7 +26,7 @@ std::string in_quotes(const std::string& text) {
 
 std::string number_text(double value, Dimension dimension) {
   if (dimension == dimension::number) return fmt::format("{}", value);
-  return in_quotes(format_quantity(value, dimension));
+  return in_quotes(si_quantity(value, dimension));
 }
 
 // The value as TOML, or nothing where the value is one that means "not used": such a value lies
@@ -99,6 +100,8 @@ std::string effective_scene(const Scene& scene) {
 
 std::string flow_inputs(const Scene& scene) {
   Scene copy = scene;
+  // Every longer channel has the same flow.
+  if (scene.geometry.present && scene.geometry.stl.empty()) copy.geometry.channel_length = solved_length(scene);
   std::string text;
   for (const Key& key : scene_keys()) {
     if (!decides_flow(key.path) || is_absent(scene, section_of(key.path))) continue;

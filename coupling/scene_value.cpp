@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "coupling/require.hpp"
+#include "coupling/shown_text.hpp"
 
 namespace clog {
 namespace {
@@ -26,6 +27,8 @@ struct Reader {
   }
 
   double pure_number(const std::string& name, const toml::node& value) const {
+    if (value.is_string() && value.as_string()->get().find(',') != std::string::npos)
+      refuse(name, value, "must be a pure number, with a decimal point and no comma, e.g. 0.6");
     if (value.is_string())
       refuse(name, value, "must be a pure number, written without quotes and unit, e.g. 0.6");
     if (!value.is_number()) refuse(name, value, "must be a pure number, e.g. 0.6");
@@ -186,12 +189,8 @@ std::string whole_text(const toml::node& value) {
 }  // namespace
 
 std::string shown_value(const toml::node& value) {
-  std::string text = whole_text(value);
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < ' ') c = ' ';
   constexpr std::size_t longest = 80;
-  if (text.size() > longest) text = text.substr(0, longest) + "...";
-  return text;
+  return shown_text(whole_text(value), longest);
 }
 
 void set_value(const Key& key, const toml::node& value, Scene& scene) {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "coupling/channel_shape.hpp"
 #include "coupling/foam_mesh.hpp"
 #include "coupling/require.hpp"
 #include "coupling/stl.hpp"
@@ -12,10 +13,6 @@
 
 namespace clog {
 namespace {
-
-// Disturbances of the narrowing die out upstream like exp(-2 pi x / width), so 1.25 widths leave
-// 4e-4.
-constexpr double development_widths = 1.25;
 
 // Cells are small where the section is less than this many times the neck's.
 constexpr double refined_sections = 3;
@@ -69,7 +66,7 @@ std::vector<std::pair<std::string, double>> planes(const SnappyMesh& mesh, const
   const double bend = channel.straight_end / mesh.unit;
   std::vector<std::pair<std::string, double>> result;
   for (const auto& [name, x] : {std::pair("straightEnd", bend), {"narrowing", bend / 2}, {"neckEntrance", 0.0},
-                                {"neckMiddle", mesh.outlet / 2}})
+                                {"neckMiddle", channel.neck_length / 2 / mesh.unit}})
     if (x > mesh.inlet && (result.empty() || x > result.back().second)) result.push_back({name, x});
   return result;
 }
@@ -128,11 +125,14 @@ SnappyMesh snappy_mesh(const Scene& scene, const StlChannel& channel) {
 
   const double neck = section_at(channel.walls, 1e-6 * unit).area;
   mesh.refined_from = 0, mesh.refined_to = 0;
+  const auto look = [&](int i) { return mesh.inlet + (i + 0.5) / looks * (mesh.outlet - mesh.inlet); };
+  std::vector<double> places;
+  for (int i = 0; i < looks; ++i) places.push_back(look(i) * unit);
+  const std::vector<WallSection> sections = sections_at(channel.walls, places);
   for (int i = 0; i < looks; ++i) {
-    const double x = mesh.inlet + (i + 0.5) / looks * (mesh.outlet - mesh.inlet);
-    if (section_at(channel.walls, x * unit).area > refined_sections * neck) continue;
-    mesh.refined_from = std::min(mesh.refined_from, x);
-    mesh.refined_to = std::max(mesh.refined_to, x);
+    if (sections[i].area > refined_sections * neck) continue;
+    mesh.refined_from = std::min(mesh.refined_from, look(i));
+    mesh.refined_to = std::max(mesh.refined_to, look(i));
   }
   if (mesh.refined_to > mesh.outlet - 2 * size) mesh.refined_to = mesh.outlet + size;
   return mesh;

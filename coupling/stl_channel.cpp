@@ -4,48 +4,43 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
-#include <map>
+#include <mutex>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "coupling/channel_geometry.hpp"
 #include "coupling/content_hash.hpp"
 #include "coupling/require.hpp"
-#include "coupling/stl.hpp"
-#include "coupling/units.hpp"
-#include "coupling/wall_mesh.hpp"
+#include "coupling/stl_openings.hpp"
+#include "coupling/stl_surface.hpp"
+#include "coupling/wall_edges.hpp"
 #include "coupling/wall_sections.hpp"
 
 namespace clog {
 namespace {
-
-// Files hold few digits: lengths closer than this share of the channel's length are the same.
-constexpr double same = 1e-5;
 
 std::string place_text(const Vec3& p) {
   return fmt::format("({:.4g}, {:.4g}, {:.4g}) m", p.x(), p.y(), p.z());
 }
 
 // Each edge must belong to two triangles which run along it in opposite directions.
-void require_closed(const WallMesh& mesh, const std::string& file) {
-  const std::vector<WallRim> rims = open_rims(mesh);
+void require_closed(const StlSurface& surface, const std::string& file) {
+  const auto& [rims, mesh] = std::tie(surface.rims, surface.mesh);
   require(rims.empty(),
-          "{}: the surface is not closed (a hole of {:.3g} m around at {}); close it, inlet and outlet "
-          "included",
-          file, rims.empty() ? 0 : rims[0].length, rims.empty() ? "" : place_text(rims[0].place));
-  std::map<std::array<int, 2>, int> along;
-  for (const auto& corner : mesh.corner)
-    for (int k = 0; k < 3; ++k) ++along[{corner[k], corner[(k + 1) % 3]}];
-  for (std::size_t t = 0; t < mesh.corner.size(); ++t)
-    for (int k = 0; k < 3; ++k) {
-      const int a = mesh.corner[t][k], b = mesh.corner[t][(k + 1) % 3];
-      const auto back = along.find({b, a});
-      const int there = along[{a, b}], other = back == along.end() ? 0 : back->second;
-      const std::string at = place_text(mesh.triangles[t].corner[k]);
-      require(there + other == 2, "{}: {} triangles meet in the edge at {} (must be 2)", file,
-              there + other, at);
-      require(there == 1, "{}: the triangles on the two sides of the edge at {} are turned differently "
-              "(corners in opposite order); turn one of them", file, at);
-    }
+          "{}: the surface is not closed (a hole of {:.3g} m around at {}; corners farther apart than "
+          "geometry.stl_tolerance = {:.3g} m are not one{}); close it, inlet and outlet included",
+          file, rims.empty() ? 0 : rims[0].length, rims.empty() ? "" : place_text(rims[0].place), surface.tolerance,
+          surface.note.empty() ? "" : "; " + surface.note);
+  WallEdges(mesh.corner, mesh.corners).for_each([&, &mesh = mesh](int low, std::span<const EdgeUse> uses) {
+    const auto forwards = [&](const EdgeUse& use) { return mesh.corner[use.triangle()][use.k()] == low; };
+    const bool pair = uses.size() == 2;
+    if (pair && forwards(uses[0]) != forwards(uses[1])) return;
+    const std::string at = place_text(mesh.triangles[uses[0].triangle()].corner[uses[0].k()]);
+    require(pair, "{}: {} triangles meet in the edge at {} (must be 2)", file, uses.size(), at);
+    throw Error(fmt::format("{}: the triangles on the two sides of the edge at {} are turned differently (corners in "
+                            "opposite order); turn one of them", file, at));
+  });
 }
 
 struct Box {
@@ -72,37 +67,25 @@ double volume(const Walls& surface) {
 
 class Reader {
 public:
-  Reader(const Scene& scene) : file_("geometry.stl = " + scene.geometry.stl) {
-    const double unit = stl_unit(scene);
-    std::string names;
-    for (const StlSolid& solid : read_stl_solids(scene.geometry.stl)) {
-      names += (names.empty() ? "" : ", ") + (solid.name.empty() ? "one without a name" : solid.name);
-      Walls& part = solid.name == "inlet" ? inlet_ : solid.name == "outlet" ? outlet_ : walls_;
-      for (Triangle t : solid.triangles) {
-        for (Vec3& corner : t.corner) corner *= unit;
-        part.push_back(t);
-      }
-    }
-    for (const auto& [part, name] : {std::pair(&inlet_, "inlet"), {&outlet_, "outlet"}, {&walls_, "walls"}})
-      require(!part->empty(), "{}: holds no part named {} (its parts: {}); write \"solid {}\" before "
-              "those facets, in a text file", file_, name, names, name);
-  }
+  explicit Reader(const Scene& scene)
+      : file_("geometry.stl = " + scene.geometry.stl),
+        facets_(channel_facets(read_stl_solids(scene.geometry.stl), stl_unit(scene), file_)),
+        surface_(stl_surface(std::move(facets_.all), scene)) {}
 
   StlChannel channel() {
-    Walls all = walls_;
-    all.insert(all.end(), inlet_.begin(), inlet_.end());
-    all.insert(all.end(), outlet_.begin(), outlet_.end());
-    try {
-      require_closed(join_walls(all), file_);
-    } catch (const Error& error) {
-      const std::string text = error.what();
-      throw Error(text.starts_with(file_) ? text : file_ + ": " + text);
-    }
+    require_closed(surface_, file_);
+    Walls all = surface_.joined.walls();
     if (volume(all) > 0)
-      for (Triangle& t : walls_) std::swap(t.corner[1], t.corner[2]);
+      for (Triangle& t : all) std::swap(t.corner[1], t.corner[2]);
     Box box;
     box.add(all);
-    return measured(box);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const ChannelPart part = facets_.part[surface_.joined.source[k]];
+      (part == ChannelPart::inlet ? inlet_ : part == ChannelPart::outlet ? outlet_ : walls_).push_back(all[k]);
+    }
+    StlChannel channel = measured(box);
+    if (!surface_.note.empty()) channel.note = file_ + ": " + surface_.note;
+    return channel;
   }
 
 private:
@@ -116,7 +99,7 @@ private:
   }
 
   StlChannel measured(const Box& box) const {
-    const double tolerance = same * (box.high.x() - box.low.x());
+    const double tolerance = std::max(same_length * (box.high.x() - box.low.x()), surface_.tolerance);
     require_flat(inlet_, "inlet", box.low.x(), tolerance);
     require_flat(outlet_, "outlet", box.high.x(), tolerance);
     Box in;
@@ -134,12 +117,16 @@ private:
             "{}: its walls are parallel to x up to {:.4g} m (they must be between the inlet, x = {:.4g} m, and some "
             "place before the neck, x = 0: there particles enter and the flow is developed)",
             file_, straight_end, box.low.x());
-    const double neck = section_at(walls_, 2 * tolerance).width();
+    const double behind = 2 * tolerance;
     return {.walls = walls_, .inlet = box.low.x(), .outlet = box.high.x(), .width = size.y(),
-            .height = size.z(), .straight_end = std::min(straight_end, 0.0), .neck_width = neck};
+            .height = size.z(), .straight_end = std::min(straight_end, 0.0),
+            .neck_width = section_at(walls_, behind).width(),
+            .neck_length = neck_length(walls_, behind, box.high.x()), .note = {}};
   }
 
   std::string file_;
+  ChannelFacets facets_;
+  StlSurface surface_;
   Walls inlet_, outlet_, walls_;
 };
 
@@ -152,10 +139,6 @@ Walls opening(double x, double half_width, double height, bool inlet) {
 
 }  // namespace
 
-double stl_unit(const Scene& scene) {
-  return scene.geometry.stl_unit > 0 ? scene.geometry.stl_unit : 1;
-}
-
 std::string stl_content_hash(const Scene& scene) {
   std::ifstream stream(scene.geometry.stl, std::ios::binary);
   require(stream.good(), "geometry.stl = \"{}\" (the file cannot be read)", scene.geometry.stl);
@@ -166,7 +149,18 @@ bool is_stl_channel(const Scene& scene) {
   return !scene.geometry.stl.empty() && scene.geometry.inlet_position < 0;
 }
 
-StlChannel read_stl_channel(const Scene& scene) { return Reader(scene).channel(); }
+std::shared_ptr<const StlChannel> read_stl_channel(const Scene& scene) {
+  const auto& g = scene.geometry;
+  const auto read = [&] { return std::make_shared<const StlChannel>(Reader(scene).channel()); };
+  // A file whose content the scene does not name may change from one call to the next.
+  if (g.stl_content.empty()) return read();
+  static std::mutex one_at_a_time;
+  static std::pair<std::string, std::shared_ptr<const StlChannel>> last;
+  const std::string key = fmt::format("{} {} {} {}", g.stl_content, g.stl_unit, g.stl_tolerance, g.stl);
+  const std::lock_guard lock(one_at_a_time);
+  if (last.first != key) last = {key, read()};
+  return last.second;
+}
 
 std::string channel_stl(const Scene& scene, double unit) {
   require(scene.geometry.stl.empty(), "geometry.stl = {} (the channel is a file already)", scene.geometry.stl);

@@ -1,6 +1,7 @@
 // A channel of any shape: an STL file whose parts name the openings.
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "coupling/scene.hpp"
@@ -18,10 +19,9 @@ struct StlChannel {
   double width, height;     ///< of the inlet [m]
   double straight_end;      ///< x where the first wall leaves the direction of x [m]
   double neck_width;        ///< y extent just behind x = 0 [m]
+  double neck_length;       ///< from x = 0 to where the section grows by 1 %, or to the outlet [m]
+  std::string note;         ///< one line on facets that are left out, or empty
 };
-
-/// Length that the scene's file counts in [m].
-double stl_unit(const Scene& scene);
 
 /// Content hash of the scene's file: walls decide a flow by their content, wherever they lie.
 std::string stl_content_hash(const Scene& scene);
@@ -29,10 +29,10 @@ std::string stl_content_hash(const Scene& scene);
 /// Whether the scene's channel comes from such a file, and has been measured.
 bool is_stl_channel(const Scene& scene);
 
-/// Reads the scene's file and checks it: closed, each edge between two triangles that are turned
+/// Reads the scene's file, once as long as scenes ask for the same one, and checks it: closed, each edge between two triangles that are turned
 /// alike (all normals into the fluid or all out of it), openings named, flat and in their place.
 /// \throws Error with the file, what is wrong and where
-StlChannel read_stl_channel(const Scene& scene);
+std::shared_ptr<const StlChannel> read_stl_channel(const Scene& scene);
 
 /// The parametric channel as such a file's parts, with inlet and outlet.
 /// \throws Error on a scene without a parametric channel

@@ -5,6 +5,7 @@
 
 #include "coupling/require.hpp"
 #include "coupling/scene_keys.hpp"
+#include "coupling/shown_text.hpp"
 
 namespace clog {
 
@@ -23,23 +24,24 @@ std::string trimmed(std::string_view text) {
   return std::string(text.substr(first, text.find_last_not_of(" \t") - first + 1));
 }
 
-Sweep read_sweep(const std::string& text) {
-  const std::size_t equals = text.find('=');
+Sweep read_sweep(const std::string& whole) {
+  const std::string text = shown_text(whole);
+  const std::size_t equals = whole.find('=');
   require(equals != std::string::npos,
           "--sweep {} (write key=value,value, e.g. --sweep \"particles.diameter=25 um,33 um\")", text);
-  Sweep sweep{trimmed(std::string_view(text).substr(0, equals)), {}};
-  require(find_key(sweep.key) != nullptr, "--sweep {} (unknown key; the nearest known key is {})", text,
-          nearest_key(sweep.key));
+  Sweep sweep{trimmed(std::string_view(whole).substr(0, equals)), {}};
+  require(find_key(sweep.key) != nullptr, "--sweep {} ({})", text, unknown_key(sweep.key));
   require(section_of(sweep.key) != "ensemble", "--sweep {} (is no property of a run: use --seeds)", text);
-  for (std::size_t at = equals + 1; at <= text.size();) {
-    const std::size_t end = std::min(text.find(',', at), text.size());
-    const std::string value = trimmed(std::string_view(text).substr(at, end - at));
+  for (std::size_t at = equals + 1; at <= whole.size();) {
+    const std::size_t end = std::min(whole.find(',', at), whole.size());
+    const std::string value = trimmed(std::string_view(whole).substr(at, end - at));
     require(!value.empty() && value.find_first_of("[]{}\"'") == std::string::npos,
             "--sweep {} (\"{}\" is no single value: write key=value,value without brackets and quotes)", text,
-            value);
+            shown_text(value));
     require(std::ranges::find(sweep.values, value) == sweep.values.end(), "--sweep {} ({} is given twice)",
-            text, value);
+            text, shown_text(value));
     sweep.values.push_back(value);
+    require(sweep.values.size() <= most_points, "--sweep {} (more than {} points)", text, most_points);
     at = end + 1;
   }
   return sweep;
@@ -63,8 +65,8 @@ std::vector<SweepPoint> sweep_points(const std::vector<std::string>& sweeps) {
   std::set<std::string> keys, folders;
   for (const std::string& text : sweeps) {
     const Sweep sweep = read_sweep(text);
-    require(keys.insert(sweep.key).second, "--sweep {} (the key is swept twice)", text);
-    require(points.size() * sweep.values.size() <= most_points, "--sweep {} (more than {} points)", text,
+    require(keys.insert(sweep.key).second, "--sweep {} (the key is swept twice)", shown_text(text));
+    require(points.size() * sweep.values.size() <= most_points, "--sweep {} (more than {} points)", shown_text(text),
             most_points);
     std::vector<SweepPoint> more;
     for (const SweepPoint& point : points)
@@ -77,7 +79,7 @@ std::vector<SweepPoint> sweep_points(const std::vector<std::string>& sweeps) {
     points = std::move(more);
   }
   for (const SweepPoint& point : points)
-    require(folders.insert(point.folder).second, "--sweep: two points have one folder, {}", point.folder);
+    require(folders.insert(point.folder).second, "--sweep: two points have one folder, {}", shown_text(point.folder));
   return points;
 }
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "coupling/require.hpp"
+#include "coupling/shown_text.hpp"
 
 namespace clog {
 namespace {
@@ -131,6 +132,10 @@ void read_factor(std::string_view factor, std::string_view whole, int sign, Unit
             factor);
   }
   const auto found = find_prefixed(name);
+  for (std::size_t cut = name.size(); !found && cut-- > 1;)
+    require(!find_prefixed(name.substr(0, cut)) || !find_prefixed(name.substr(cut)),
+            "\"{}\" (unknown unit \"{}\": write a space between two units, \"{} {}\")", whole, name, name.substr(0, cut),
+            factor.substr(cut));
   require(found.has_value(),
           "\"{}\" (unknown unit \"{}\": known are m g s min h Hz N Pa bar J W P L deg rad, with a "
           "prefix p n u m c k M G)",
@@ -213,6 +218,8 @@ double read_decimal(std::string_view text, NumberText number, const Unit& unit,
 }  // namespace
 
 Quantity parse_quantity(std::string_view whole) {
+  require(whole.size() <= longest_shown, "\"{}\" (must be a number and a unit, e.g. \"33 um\")",
+          shown_text(whole));
   const std::string spelled = plain_spelling(std::string(whole));
   std::string_view text = spelled;
   while (text.starts_with(' ') || text.starts_with('\t')) text.remove_prefix(1);
@@ -220,6 +227,9 @@ Quantity parse_quantity(std::string_view whole) {
   const NumberText number = scan_number(text);
   require(number.length > 0, "\"{}\" (must be a number and a unit, e.g. \"33 um\")", whole);
   const std::string_view unit_text = text.substr(number.length);
+  require(!unit_text.starts_with(',') || unit_text.size() < 2 || !is_digit(unit_text[1]),
+          "\"{}\" (a decimal comma: write a point, \"{}.{}\")", whole, text.substr(0, number.length),
+          unit_text.substr(std::min<std::size_t>(1, unit_text.size())));
   require(!unit_text.empty(), "\"{}\" (a unit is missing, e.g. \"33 um\")", whole);
   const Unit unit = read_unit(unit_text, whole);
   return {.si = read_decimal(text, number, unit, whole),
@@ -262,6 +272,6 @@ QuantityWords quantity_words(Dimension d) {
   return {fmt::format("a quantity in {}", si_unit(d)), fmt::format("1 {}", si_unit(d))};
 }
 
-std::string format_quantity(double si, Dimension d) { return fmt::format("{} {}", si, si_unit(d)); }
+std::string si_quantity(double si, Dimension d) { return fmt::format("{} {}", si, si_unit(d)); }
 
 }  // namespace clog

@@ -49,7 +49,15 @@ struct QuantityWords {
 };
 QuantityWords quantity_words(Dimension dimension);
 
-/// Shortest text that parse_quantity reads back to the same bits: "3.3e-05 m".
+/// Shortest text in SI units that parse_quantity reads back to the same bits: "3.3e-05 m". Effective
+/// scenes are written so, and what is named by them does not depend on what is pleasant to read.
+std::string si_quantity(double si, Dimension dimension);
+
+/// The same digits for the eye, with a decimal prefix where one fits: "33 um"; read back to the same
+/// bits too.
 std::string format_quantity(double si, Dimension dimension);
+
+/// "60 deg" where that is read back to the same bits, otherwise radians. \param radians finite
+std::string format_angle(double radians);
 
 }  // namespace clog

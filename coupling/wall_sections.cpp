@@ -28,28 +28,59 @@ std::vector<Vec3> clip(const std::vector<Vec3>& polygon, double plane, double si
   return kept;
 }
 
+// Where the plane at x cuts a triangle, a piece of the section's outline.
+void add_piece(const Triangle& t, double x, WallSection& section) {
+  std::vector<Vec3> ends;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 &a = t.corner[k], &b = t.corner[(k + 1) % 3];
+    if ((a.x() < x) == (b.x() < x)) continue;
+    ends.push_back(a + (x - a.x()) / (b.x() - a.x()) * (b - a));
+  }
+  if (ends.size() != 2) return;
+  const Vec3 normal = area_vector(t), along = ends[1] - ends[0];
+  // The fluid, where the normal points to, must lie on the left of the piece.
+  if (along.y() * normal.z() - along.z() * normal.y() < 0) std::swap(ends[0], ends[1]);
+  section.area += (ends[0].y() * ends[1].z() - ends[0].z() * ends[1].y()) / 2;
+  for (const Vec3& end : ends) {
+    section.y_min = std::min(section.y_min, end.y()), section.y_max = std::max(section.y_max, end.y());
+    section.z_min = std::min(section.z_min, end.z()), section.z_max = std::max(section.z_max, end.z());
+  }
+}
+
 }  // namespace
 
-WallSection section_at(const Walls& walls, double x) {
-  WallSection section{0, endless, -endless, endless, -endless};
+std::vector<WallSection> sections_at(const Walls& walls, const std::vector<double>& places) {
+  const WallSection none{0, endless, -endless, endless, -endless};
+  std::vector<WallSection> sections(places.size(), none);
   for (const Triangle& t : walls) {
-    std::vector<Vec3> ends;
-    for (int k = 0; k < 3; ++k) {
-      const Vec3 &a = t.corner[k], &b = t.corner[(k + 1) % 3];
-      if ((a.x() < x) == (b.x() < x)) continue;
-      ends.push_back(a + (x - a.x()) / (b.x() - a.x()) * (b - a));
-    }
-    if (ends.size() != 2) continue;
-    const Vec3 normal = area_vector(t), along = ends[1] - ends[0];
-    // The fluid, where the normal points to, must lie on the left of the piece.
-    if (along.y() * normal.z() - along.z() * normal.y() < 0) std::swap(ends[0], ends[1]);
-    section.area += (ends[0].y() * ends[1].z() - ends[0].z() * ends[1].y()) / 2;
-    for (const Vec3& end : ends) {
-      section.y_min = std::min(section.y_min, end.y()), section.y_max = std::max(section.y_max, end.y());
-      section.z_min = std::min(section.z_min, end.z()), section.z_max = std::max(section.z_max, end.z());
-    }
+    const auto& [a, b, c] = t.corner;
+    const auto [first, last] = std::minmax({a.x(), b.x(), c.x()});
+    for (auto x = std::ranges::upper_bound(places, first); x != places.end() && *x <= last; ++x)
+      add_piece(t, *x, sections[static_cast<std::size_t>(x - places.begin())]);
   }
-  return section.y_min < section.y_max ? section : WallSection{};
+  for (WallSection& section : sections)
+    if (!(section.y_min < section.y_max)) section = {};
+  return sections;
+}
+
+WallSection section_at(const Walls& walls, double x) { return sections_at(walls, {x})[0]; }
+
+double neck_length(const Walls& walls, double from, double outlet) {
+  const double widest = 1.01 * section_at(walls, from).area;
+  constexpr int looks = 400;
+  std::vector<double> places;
+  for (int i = 1; i < looks; ++i) places.push_back(from + i * (outlet - from) / looks);
+  const std::vector<WallSection> sections = sections_at(walls, places);
+  const auto wide = std::ranges::find_if(sections, [&](const WallSection& section) { return section.area > widest; });
+  if (wide == sections.end()) return outlet;
+  double beyond = places[static_cast<std::size_t>(wide - sections.begin())];
+  double within = std::max(from, beyond - (outlet - from) / looks);
+  // A section is told from another to much less than the scene's rounding.
+  for (int halving = 0; halving < 20; ++halving) {
+    const double middle = (within + beyond) / 2;
+    (section_at(walls, middle).area > widest ? beyond : within) = middle;
+  }
+  return within;
 }
 
 double volume_between(const Walls& walls, double from, double to) {

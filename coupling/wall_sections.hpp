@@ -19,6 +19,13 @@ struct WallSection {
 /// Section at x, which should not be the x of a corner; all zero where there is no wall.
 WallSection section_at(const Walls& walls, double x);
 
+/// The same at several x in ascending order.
+std::vector<WallSection> sections_at(const Walls& walls, const std::vector<double>& places);
+
+/// Length of the neck, which begins at x = 0: up to where the section is more than 1 % larger than just behind x =
+/// from, or to the outlet [m].
+double neck_length(const Walls& walls, double from, double outlet);
+
 /// Volume of the fluid between two planes x = from < to, from the walls alone: openings that lie in
 /// planes of constant x do not count in the integral of y over the surface [m3].
 double volume_between(const Walls& walls, double from, double to);

@@ -1,6 +1,9 @@
 #include "dem/ensemble.hpp"
 
 #include <algorithm>
+#include <chrono>
+#include <set>
+#include <thread>
 
 #include "dem/ledger.hpp"
 
@@ -17,6 +20,10 @@ const char* word_for(SeedEnd end) {
   }
   return "";
 }
+
+/// To rename a file takes no longer.
+constexpr int most_tries = 500;
+constexpr std::chrono::milliseconds between_tries{10};
 
 /// One rank of the call.
 class Rank {
@@ -38,7 +45,9 @@ public:
   }
 
   EnsembleResult work() {
-    const double began = seconds_now();
+    const Stopwatch watch;
+    if (call_.launch.rank == 0) say_what_failed_before();
+    set_aside_what_is_short();
     for (const Job& job : worklist_.done_before()) look_at(job);
     while (const auto claim = worklist_.next()) {
       if (worklist_.without_locks() && !std::exchange(said_without_locks_, true))
@@ -48,24 +57,70 @@ public:
                  false, true, ensemble_of(claim->job).name});
       if (run(claim->job) == SeedEnd::stopped) break;
     }
-    const Ledger::Sum sum = ledger_.sum();
-    return {std::max(sum.failed, failed_), worklist_.left_to_others(), worklist_.other(), sum.busy,
-            seconds_now() - began};
+    const Ledger::Sum sum = call_.launch.count > 1 ? ledger_.sum(asked_for()) : Ledger::Sum{};
+    return {.failed = std::max(sum.failed, failed_),
+            .complete = worklist_.is_complete(),
+            .left_to_others = worklist_.left_to_others(),
+            .other = worklist_.other(),
+            .unrecorded = unrecorded_,
+            .busy = sum.busy,
+            .duration = watch.seconds()};
   }
 
 private:
   const Ensemble& ensemble_of(const Job& job) const { return call_.ensembles[job.ensemble]; }
 
+  /// This call tries them again, whatever its name: names of calls repeat in containers.
+  void say_what_failed_before() const {
+    for (const Job& job : jobs_of(call_.ensembles))
+      if (const auto reason = worklist_.failed_before(job)) {
+        tell(job, {job.seed, fmt::format("failed before ({}); is tried again", *reason), false, true});
+        worklist_.forget_failure(job);
+      }
+  }
+
+  std::set<std::string> asked_for() const {
+    std::set<std::string> seeds;
+    for (const Job& job : jobs_of(call_.ensembles)) seeds.insert(Ledger::name_of(ensemble_of(job).name, job.seed));
+    return seeds;
+  }
+
+  /// Before any work begins, so that what stands as a run file is done. Rank 0 looks at all, since it must not end
+  /// before others have begun.
+  void set_aside_what_is_short() {
+    const std::vector<Job> jobs = jobs_of(call_.ensembles);
+    const auto [rank, count] = std::pair(call_.launch.rank, static_cast<std::size_t>(call_.launch.count));
+    for (std::size_t k = static_cast<std::size_t>(rank); k < jobs.size(); k += rank == 0 ? 1 : count)
+      set_aside_if_short(ensemble_of(jobs[k]), inputs_[jobs[k].ensemble], jobs[k].seed);
+  }
+
+  static void set_aside_if_short(const Ensemble& ensemble, const std::string& inputs, std::uint64_t seed) {
+    try {
+      const StateOwner owner = owner_of(ensemble, inputs, seed);
+      const auto is_to_go = [&](const std::optional<Done>& done) {
+        return done && done->shorter && done->file != shorter_file(ensemble, seed);
+      };
+      // Who else has the lock is doing the same.
+      for (int tries = 0; is_to_go(find_done(ensemble, owner)) && tries < most_tries; ++tries) {
+        const auto lock = SeedLock::take(run_file(ensemble, seed), "");
+        if (!lock) std::this_thread::sleep_for(between_tries);
+        else if (const auto done = find_done(ensemble, owner); is_to_go(done)) set_aside(ensemble, owner, *done);
+      }
+    } catch (const std::exception&) {
+      // Said when the seed's turn comes.
+    }
+  }
+
   /// What was done before needs no entry, unless it is not what it should be.
   void look_at(const Job& job) {
-    const double began = seconds_now();
-    if (attempt(job) == SeedEnd::failed) enter(job, began, SeedEnd::failed);
+    const Stopwatch watch;
+    if (attempt(job) == SeedEnd::failed) enter(job, watch, SeedEnd::failed);
   }
 
   SeedEnd run(const Job& job) {
-    const double began = seconds_now();
+    const Stopwatch watch;
     const SeedEnd end = attempt(job);
-    enter(job, began, end);
+    enter(job, watch, end);
     return end;
   }
 
@@ -85,7 +140,7 @@ private:
   void refused(const Job& job, const std::string& why) {
     ++failed_;
     tell(job, {job.seed, why, true});
-    enter(job, seconds_now(), SeedEnd::failed);
+    enter(job, Stopwatch(), SeedEnd::failed);
   }
 
   void fail(const Job& job, const std::string& why) {
@@ -100,12 +155,12 @@ private:
     report_(said);
   }
 
-  void enter(const Job& job, double began, SeedEnd end) {
+  void enter(const Job& job, const Stopwatch& watch, SeedEnd end) {
     try {
-      ledger_.append({ensemble_of(job).name, job.seed, began, seconds_now(), word_for(end)});
+      ledger_.append({ensemble_of(job).name, job.seed, watch.began(), watch.began() + watch.seconds(), word_for(end)});
     } catch (const std::exception& error) {
       // A disk that stays full is said once.
-      if (!std::exchange(said_no_ledger_, true)) tell(job, {job.seed, error.what(), false, true});
+      if (unrecorded_++ == 0) tell(job, {job.seed, error.what(), false, true});
     }
   }
 
@@ -115,11 +170,21 @@ private:
   Ledger ledger_;
   Worklist worklist_;
   std::vector<std::string> inputs_;
-  std::size_t failed_ = 0;
-  bool said_without_locks_ = false, said_no_ledger_ = false;
+  std::size_t failed_ = 0, unrecorded_ = 0;
+  bool said_without_locks_ = false;
 };
 
 }  // namespace
+
+std::vector<std::string> check_directories(const EnsembleCall& call) {
+  std::vector<std::string> lines;
+  for (const Ensemble& ensemble : call.ensembles) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(ensemble.directory, ignored)) continue;
+    if (std::string line = check_directory(ensemble, inputs_hash(ensemble)); !line.empty()) lines.push_back(std::move(line));
+  }
+  return lines;
+}
 
 EnsembleResult run_ensembles(const EnsembleCall& call, const Watcher& watcher, const Reporter& report) {
   return Rank(call, watcher, report).work();

@@ -43,7 +43,7 @@ int Inlet::insert(Particles& p, const Fluid& fluid, Random& random, double time)
   const double r = model_->scene.particles.diameter / 2;
   std::vector<int> near;
   for (std::size_t i = 0; i < p.size(); ++i)
-    if (p[i].x < high_.x() + r) near.push_back(static_cast<int>(i));
+    if (p[i].x < high_.x() + p[i].radius) near.push_back(static_cast<int>(i));
   const Vec3 size = high_ - low_;
   const int attempts = attempts_per_place *
                        std::max(1, static_cast<int>(size.y() * size.z() / (4 * r * r)));
@@ -62,7 +62,7 @@ int Inlet::insert(Particles& p, const Fluid& fluid, Random& random, double time)
       continue;
     }
     Particle particle = model_->particle(r);
-    particle.id = next_id_++;
+    particle.id = first_id_ + next_id_++;
     particle.x = c.x(), particle.y = c.y(), particle.z = c.z();
     const auto u = fluid.field().at(c.x(), c.y(), c.z());
     particle.vx = u[0], particle.vy = u[1], particle.vz = u[2];
@@ -103,7 +103,7 @@ void Inlet::scatter(Particles& p, Random& random) {
     if (!free) continue;
     cells[key(cx, cy, cz)].push_back(c);
     Particle particle = model_->particle(r);
-    particle.id = next_id_++;
+    particle.id = first_id_ + next_id_++;
     particle.x = c.x(), particle.y = c.y(), particle.z = c.z();
     p.add(particle);
     ++placed;

@@ -24,6 +24,9 @@ public:
   /// The time that inlet.rate counts from begins again at 0.
   void restart_clock() { fed_ = 0; }
 
+  /// Numbers before this one are taken, by particles that are there from the start.
+  void number_from(std::int64_t first) { first_id_ = first; }
+
   /// Tries to insert at time t. \return number inserted
   int insert(Particles& particles, const Fluid& fluid, Random& random, double time);
 
@@ -52,7 +55,7 @@ private:
   bool enabled_;
   double interval_ = 0, rate_;
   Vec3 low_, high_;  // corners of the slab for the whole sphere [m]
-  std::int64_t next_id_ = 0, refused_ = 0, fed_ = 0;
+  std::int64_t first_id_ = 0, next_id_ = 0, refused_ = 0, fed_ = 0;
 };
 
 }  // namespace clog

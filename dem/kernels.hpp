@@ -138,10 +138,10 @@ struct Kernels {
   AdvanceTally (*advance)(const AdvanceTask&);
 };
 
-/// The table for the best instruction set that both this program and this processor have.
-/// \param wanted  name of an instruction set, or empty for the best; CLOG_ISA in the environment
-/// does
-///                the same
+/// The table for the fastest instruction set that both this program and this processor have: AVX2, even
+/// where there is AVX-512.
+/// \param wanted  name of an instruction set, or empty for the fastest; CLOG_ISA in the environment
+///                does the same
 /// \throws Error if it is unknown or the processor lacks it
 const Kernels& select_kernels(const char* wanted = nullptr);
 

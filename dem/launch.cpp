@@ -50,7 +50,8 @@ std::string host_name() {
 
 std::string call_of(const Launcher& launcher) {
   std::string call = variable(launcher.call).value_or("");
-  for (const char* name : {"SLURM_JOB_ID", "SLURM_RESTART_COUNT"})
+  // The key is random; the other names repeat where process numbers do, as in containers.
+  for (const char* name : {"OMPI_MCA_orte_precondition_transports", "SLURM_JOB_ID", "SLURM_RESTART_COUNT"})
     if (const auto value = variable(name)) call += "." + *value;
   return call;
 }
@@ -65,7 +66,7 @@ Launch launch_from_environment() {
     if (!rank || !count || !variable(launcher.condition)) continue;
     require(*rank < *count, "{} = {} (must be below {} = {}): unset both, or start under mpirun or srun",
             launcher.rank, *rank, launcher.count, *count);
-    launch.rank = *rank, launch.count = *count, launch.call = call_of(launcher);
+    launch.rank = *rank, launch.count = *count, launch.call = call_of(launcher), launch.by_launcher = true;
     break;
   }
   if (launch.call.empty())

@@ -9,6 +9,7 @@ namespace clog {
 /// the others. All that a launcher (mpirun, srun) has to tell is in the environment.
 struct Launch {
   int rank = 0, count = 1;
+  bool by_launcher = false;
   std::string call;  ///< the same for all ranks of one call and for no other call, requeued jobs included
   std::string host;
 };

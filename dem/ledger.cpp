@@ -10,7 +10,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
-#include <set>
+#include <map>
 #include <system_error>
 #include <vector>
 
@@ -45,12 +45,17 @@ std::vector<std::string> cells_of(const std::string& line) {
 
 }  // namespace
 
-double seconds_now() {
-  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+Stopwatch::Stopwatch()
+    : began_(std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count()) {}
+
+double Stopwatch::seconds() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }
 
+std::string Ledger::name_of(const std::string& point, std::uint64_t seed) { return fmt::format("{}\"{}\"", seed, point); }
+
 void Ledger::append(const LedgerEntry& entry) const {
-  const int number = ::open(file_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  const int number = ::open(file_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   if (number < 0) refuse(file_);
   const Descriptor descriptor{number};
   // Where there are no locks, appending at once is as whole as the system makes it.
@@ -58,8 +63,12 @@ void Ledger::append(const LedgerEntry& entry) const {
   }
   struct stat before{};
   if (::fstat(number, &before) != 0) refuse(file_);
+  // A process that was killed in the middle leaves a line without its end.
+  char last = '\n';
+  if (before.st_size > 0 && ::pread(number, &last, 1, before.st_size - 1) != 1) refuse(file_);
+  const char* begin = before.st_size == 0 ? header : last == '\n' ? "" : "\n";
   const std::string line =
-      fmt::format("{}{},{},{},{},{:.3f},{:.3f},{},\"{}\"\n", before.st_size == 0 ? header : "", launch_.call,
+      fmt::format("{}{},{},{},{},{:.3f},{:.3f},{},\"{}\"\n", begin, launch_.call,
                   launch_.rank, launch_.host, entry.seed, entry.began, entry.ended, entry.outcome, entry.point);
   const ssize_t written = ::write(number, line.data(), line.size());
   if (written == static_cast<ssize_t>(line.size())) return;
@@ -69,18 +78,19 @@ void Ledger::append(const LedgerEntry& entry) const {
   refuse(file_);
 }
 
-Ledger::Sum Ledger::sum() const {
+Ledger::Sum Ledger::sum(const std::set<std::string>& asked_for) const {
   std::ifstream file(file_);
   Sum sum;
-  std::set<std::string> failed;
+  std::map<std::string, std::string> last_ends;
   for (std::string line; std::getline(file, line);) {
     const auto cells = cells_of(line);
     if (cells.size() < 8 || cells[0] != launch_.call) continue;
     sum.busy += std::strtod(cells[5].c_str(), nullptr) - std::strtod(cells[4].c_str(), nullptr);
     // The name of a point may hold commas of its own: it is the rest of the line.
-    if (cells[6] == "failed") failed.insert(cells[3] + line.substr(line.find('"')));
+    const std::string name = cells[3] + line.substr(std::min(line.find('"'), line.size()));
+    if (asked_for.contains(name)) last_ends[name] = cells[6];
   }
-  sum.failed = failed.size();
+  for (const auto& [name, end] : last_ends) sum.failed += end == "failed";
   return sum;
 }
 

@@ -1,8 +1,10 @@
 // ensemble.csv: who worked on which seed, from when to when. One line for every end of a seed.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <set>
 #include <string>
 
 #include "dem/launch.hpp"
@@ -16,8 +18,17 @@ struct LedgerEntry {
   std::string outcome;          ///< done, failed, stopped, left
 };
 
-/// Seconds since 1970 [s]
-double seconds_now();
+/// Begins when it is made. Durations are those of a clock that never goes back, as that of the day may.
+class Stopwatch {
+public:
+  Stopwatch();
+  double began() const { return began_; }  ///< since 1970 [s]
+  double seconds() const;                  ///< since then [s]
+
+private:
+  double began_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
 
 /// Many processes append to one file, each line whole or not at all.
 class Ledger {
@@ -30,9 +41,12 @@ public:
   /// What all ranks of this call did together.
   struct Sum {
     double busy = 0;         ///< at work on seeds [s]
-    std::size_t failed = 0;  ///< seeds
+    std::size_t failed = 0;  ///< seeds whose last end that was
   };
-  Sum sum() const;
+  /// \param asked_for  name_of the seeds of this call: other calls may have had its name
+  Sum sum(const std::set<std::string>& asked_for) const;
+
+  static std::string name_of(const std::string& point, std::uint64_t seed);
 
 private:
   std::filesystem::path file_;

@@ -11,11 +11,11 @@
 #include "coupling/stl.hpp"
 #include "coupling/stl_channel.hpp"
 #include "coupling/scene_keys.hpp"
+#include "coupling/stl_surface.hpp"
 #include "dem/physics/contact_laws.hpp"
 #include "dem/physics/porosity.hpp"
 #include "dem/physics/time_step.hpp"
 #include "dem/step_limit.hpp"
-#include "coupling/wall_mesh.hpp"
 
 namespace clog {
 
@@ -88,22 +88,50 @@ void enclose(Domain& domain, const Walls& walls) {
       domain.low = domain.low.cwiseMin(corner), domain.high = domain.high.cwiseMax(corner);
 }
 
-/// Walls from a file, refused under its name if they are no surface.
-Walls file_walls(const std::string& file, double unit, std::string& note) {
-  Walls walls = read_stl(file);
+/// What a file's walls are worth a word for, or empty.
+std::string note_on(const StlSurface& surface, const std::string& file) {
+  std::string note = surface.note.empty() ? "" : file + ": " + surface.note;
+  if (surface.rims.empty()) return note;
+  const WallRim& rim = surface.rims[0];
+  return note + (note.empty() ? "" : "; ") +
+         fmt::format("{}: the walls are open along {} rim{}, the shortest {:.3g} m around at ({:.4g}, {:.4g}, "
+                     "{:.4g}) m: a particle that leaves the walls' extent there ends the run",
+                     file, surface.rims.size(), surface.rims.size() > 1 ? "s" : "", rim.length, rim.place.x(),
+                     rim.place.y(), rim.place.z());
+}
+
+/// Walls of more particle diameters than this are most likely counted in another unit.
+constexpr double unlikely_extent = 1e5;
+
+void check_extent(const Walls& walls, const Scene& scene, std::string& note) {
+  const double extent = largest_extent(walls), diameter = scene.particles.diameter;
+  const std::string words = fmt::format("the walls of geometry.stl = {} are {}: is geometry.stl_unit right?",
+                                        scene.geometry.stl, extent_words(walls, scene));
+  require(diameter < extent, "particles.diameter = {:.3g} m (larger than all walls; {})", diameter, words);
+  if (extent > unlikely_extent * diameter)
+    note += fmt::format("{}{:.2g} particle diameters; {}", note.empty() ? "" : "; ", extent / diameter, words);
+}
+
+/// The walls of a laboratory from the scene's file.
+Walls file_walls(const Scene& scene, std::string& note) {
+  Walls walls = read_stl(scene.geometry.stl);
   for (Triangle& t : walls)
-    for (Vec3& corner : t.corner) corner *= unit;
-  try {
-    const auto rims = open_rims(join_walls(walls));
-    if (!rims.empty())
-      note = fmt::format("{}: the walls are open along {} rim{}, the shortest {:.3g} m around at ({:.4g}, {:.4g}, "
-                         "{:.4g}) m: a particle that leaves the walls' extent there ends the run",
-                         file, rims.size(), rims.size() > 1 ? "s" : "", rims[0].length, rims[0].place.x(),
-                         rims[0].place.y(), rims[0].place.z());
-  } catch (const Error& error) {
-    throw Error(fmt::format("{}: {}", file, error.what()));
-  }
+    for (Vec3& corner : t.corner) corner *= stl_unit(scene);
+  StlSurface surface = stl_surface(std::move(walls), scene);
+  note = note_on(surface, scene.geometry.stl);
+  surface.mesh = {};
+  walls = surface.joined.walls();
+  check_extent(walls, scene, note);
   return walls;
+}
+
+/// In a laboratory, where a plane at 0 is none.
+void count_at(Model& model, double plane) {
+  if (plane == 0) return;
+  require(plane > model.domain.low.x() && plane < model.domain.high.x(),
+          "passages.plane = {:.6g} m (must be within the walls, from x = {:.6g} to {:.6g} m)", plane,
+          model.domain.low.x(), model.domain.high.x());
+  model.domain.passage = plane;
 }
 
 bool is_channel(const Scene& s) { return s.geometry.present && (s.geometry.stl.empty() || is_stl_channel(s)); }
@@ -115,10 +143,21 @@ void build_walls(Model& model, const FlowGrid* flow) {
   if (s.box.present) {
     model.walls = box_walls(Vec3(s.box.min.data()), Vec3(s.box.max.data()));
     enclose(model.domain, model.walls);
+    count_at(model, s.passages.plane);
   }
   if (!s.geometry.present) return;
   if (is_channel(s)) {
-    const Walls channel = flow ? flow->walls : is_stl_channel(s) ? read_stl_channel(s).walls : channel_walls(s);
+    Walls channel;
+    // A flow serves channels of other lengths; walls from a file lie in it, whatever became of the file.
+    if (!is_stl_channel(s)) {
+      channel = channel_walls(s);
+    } else if (flow) {
+      channel = flow->walls;
+    } else {
+      const auto measured = read_stl_channel(s);
+      channel = measured->walls;
+      model.walls_note = measured->note;
+    }
     model.walls.insert(model.walls.end(), channel.begin(), channel.end());
     const Walls end = cross_wall(channel_start(s), s.geometry.channel_width, s.geometry.neck_height, 1);
     model.walls.insert(model.walls.end(), end.begin(), end.end());
@@ -127,11 +166,11 @@ void build_walls(Model& model, const FlowGrid* flow) {
     model.domain.outlet = channel_end(s);
     model.domain.passage = s.passages.plane;
   } else {
-    const Walls stl = file_walls(s.geometry.stl, stl_unit(s), model.walls_note);
+    const Walls stl = file_walls(s, model.walls_note);
     model.walls.insert(model.walls.end(), stl.begin(), stl.end());
     enclose(model.domain, model.walls);
     if (flow) model.domain.outlet = model.domain.high.x();
-    if (s.passages.plane != 0) model.domain.passage = s.passages.plane;
+    count_at(model, s.passages.plane);
   }
 }
 
@@ -159,10 +198,10 @@ void choose_step(Model& model, const std::vector<Particle>& initial) {
   if (model.dt == 0) {
     require(speed > 0, "time.step is missing (nothing moves in this scene, so no contact time can be "
                        "derived): give time.step, e.g. \"1e-7 s\"");
-    double largest = s.time.step_fraction * model.contact_time;
+    // Whatever the end: a run that is lengthened goes on with the step it began with.
+    model.dt = s.time.step_fraction * model.contact_time;
     if (s.time.contact_limit_share > 0)
-      largest = std::min(largest, s.time.contact_limit_share * expected_limits(model, initial).contacts);
-    model.dt = s.time.end / std::ceil(s.time.end / largest);
+      model.dt = std::min(model.dt, s.time.contact_limit_share * expected_limits(model, initial).contacts);
   }
   require(s.time.end / model.dt < most_steps,
           "time.end = {} s (would take {:.2g} steps of {:.3g} s, more than {:.0g}): lower it, or let the step be longer",
@@ -248,6 +287,7 @@ Model make_model(const Scene& scene, const FlowGrid* flow, const std::vector<Par
                  std::max({model.lubrication.farthest, model.pair_law.reach(largest / 2),
                            model.wall_laws.contact.reach(largest)})};
   build_walls(model, flow);
+  model.weld = weld_length(model.walls, scene);
   choose_step(model, initial);
   check_spins(model, initial);
   model.wall_laws.dt = model.dt;

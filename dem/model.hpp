@@ -25,6 +25,7 @@ struct Model {
   WallLaws wall_laws;
   Reach reach;
   Walls walls, gate;  ///< the gate closes the neck while the channel is filled
+  double weld = 0;           ///< corners of the walls that are nearer than this are one [m]
   std::string walls_note;    ///< one line on walls from a file that are open, or empty
   Domain domain;
   double contact_time = 0;  ///< tau_Hertz [s]

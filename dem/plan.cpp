@@ -8,7 +8,7 @@
 #include "coupling/channel_shape.hpp"
 #include "coupling/flow_reach.hpp"
 #include "coupling/flow_rescale.hpp"
-#include "dem/initial_particles.hpp"
+#include "dem/initial_placement.hpp"
 #include "dem/model.hpp"
 #include "dem/pack_estimates.hpp"
 #include "dem/physics/dimensionless.hpp"
@@ -125,7 +125,9 @@ void judge_flow(const Scene& s, Plan& plan) {
 
 Plan make_plan(const Scene& scene) {
   const Model model = make_model(scene, nullptr, read_initial_particles(scene));
+  check_placement(read_initial_file(scene), model);
   Plan plan;
+  plan.walls_note = model.walls_note;
   judge_fluid(scene, Judge{plan});
   judge_contacts(scene, model, Judge{plan});
   find_limits(scene, model, plan);
@@ -136,6 +138,7 @@ Plan make_plan(const Scene& scene) {
 
 std::vector<std::string> warnings(const Plan& plan) {
   std::vector<std::string> lines;
+  if (!plan.walls_note.empty()) lines.push_back(plan.walls_note);
   for (const PlannedTerm& t : plan.terms) {
     if (t.needed && !t.modelled)
       lines.push_back(fmt::format("{} is needed ({} = {:.3g}) but not modelled", t.term, t.number,
@@ -149,6 +152,8 @@ std::vector<std::string> warnings(const Plan& plan) {
   if (plan.dt > plan.limits.smallest())
     lines.push_back(fmt::format("the step of {:.3g} s is unstable: the limit is {:.3g} s", plan.dt,
                                 plan.limits.smallest()));
+  for (const std::string& line : {way_warning(plan.limits, plan.dt), impact_warning(plan.limits, plan.dt)})
+    if (!line.empty()) lines.push_back(line);
   if (plan.way_limit > 0 && plan.dt > plan.way_limit)
     lines.push_back(fmt::format("the step of {:.3g} s is above {:.3g} s, in which the flow moves 0.01 d",
                                 plan.dt, plan.way_limit));

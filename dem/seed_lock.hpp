@@ -13,7 +13,7 @@ namespace clog {
 class SeedLock {
 public:
   /// Nothing if another process holds it. \param holder  what the file says of us, one line
-  /// \throws Error if the file cannot be made
+  /// \throws Error if the file cannot be made, or is another user's and cannot be opened
   static std::optional<SeedLock> take(const std::filesystem::path& run_file, const std::string& holder);
 
   /// What the holder wrote; empty if there is none.

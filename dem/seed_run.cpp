@@ -1,34 +1,21 @@
 #include "dem/seed_run.hpp"
 
 #include <chrono>
+#include <memory>
 #include <optional>
-#include <sstream>
 
 #include "coupling/content_hash.hpp"
 #include "coupling/require.hpp"
 #include "coupling/run_file.hpp"
+#include "coupling/run_record.hpp"
 #include "coupling/text_file.hpp"
 #include "dem/checkpoint.hpp"
+#include "dem/seed_files.hpp"
 #include "dem/seed_lock.hpp"
 
 namespace clog {
 
 namespace {
-
-/// The scene as the file of one seed carries it: its own seed alone, so that a file does not depend on
-/// which other seeds were asked for.
-Scene scene_of(const Scene& scene, std::uint64_t seed) {
-  Scene own = scene;
-  own.ensemble.seeds = {seed};
-  own.ensemble.sweep.clear();
-  return own;
-}
-
-void check_same_inputs(const RunData& done, const std::string& wanted, const std::string& file) {
-  require(done.provenance.value("inputs_hash", wanted) == wanted,
-          "{}: was made with another flow, or other files of particles or walls: give another --out",
-          file);
-}
 
 /// Thrown out of a run when it is asked to stop, or when nobody wants it any more.
 struct Stopped {};
@@ -82,84 +69,81 @@ private:
 
 std::string summary(const RunData& run) {
   return fmt::format("{:.4g} s simulated in {:.1f} s, {:.3g} particle-steps/s, {} passages, {} releases",
-                     run.end_time, run.provenance["wall_time_s"].get<double>(),
-                     run.provenance["particle_steps_per_s"].get<double>(),
+                     run.end_time, run.provenance[run_record::wall_time].get<double>(),
+                     run.provenance[run_record::particle_steps_per_s].get<double>(),
                      run.passages.time.size(), run.releases.off.size());
+}
+
+/// Where a simulation stands, in words.
+std::string standing(const Simulation& simulation) {
+  if (simulation.data().series.time.empty()) return "in the filling of the channel";
+  return fmt::format("at t = {:.6g} s", simulation.time());
+}
+
+/// The run as its saved state has it, else as the shorter run left it, else at its beginning.
+std::unique_ptr<Simulation> begin(const Ensemble& ensemble, Checkpoint& checkpoint, std::uint64_t seed,
+                                  const std::function<void(const std::string&)>& say) {
+  const Scene scene = scene_of(ensemble.scene, seed);
+  auto simulation = std::make_unique<Simulation>(scene, ensemble.flow, seed);
+  std::filesystem::path from = checkpoint.load(
+      [&](const std::string& state) {
+        // A state that proves bad half-way must leave nothing behind.
+        auto resumed = std::make_unique<Simulation>(scene, ensemble.flow, seed);
+        resumed->resume(state);
+        simulation = std::move(resumed);
+      },
+      say);
+  if (const auto shorter = shorter_file(ensemble, seed); from.empty() && std::filesystem::exists(shorter)) {
+    simulation->lengthen(read_run_file(shorter), unpack_state(read_end_state(shorter)).state);
+    from = shorter;
+  }
+  if (!from.empty()) say(fmt::format("goes on from {} {}", from.string(), standing(*simulation)));
+  return simulation;
+}
+
+/// What is there under whichever name gets its place. \return one line, if there is no more to do
+std::optional<std::string> finished_before(const Ensemble& ensemble, const StateOwner& owner, Checkpoint& checkpoint) {
+  const auto done = find_done(ensemble, owner);
+  if (!done) return {};
+  const bool is_aside = done->file == shorter_file(ensemble, owner.seed);
+  if (done->shorter) {
+    if (!is_aside) set_aside(ensemble, owner, *done);
+    return {};
+  }
+  read_run_file(done->file);  // says what is wrong with it
+  require(!is_aside || !checkpoint.is_there(),
+          "{} is what is asked for, but run {} is saved on its way to a later time.end: let that finish, or give another --out",
+          done->file.string(), owner.seed);
+  give_place(ensemble, owner.seed, done->file);
+  checkpoint.remove();  // of a run that was killed just after it wrote its file
+  return done->note.empty() ? "already done" : fmt::format("already done, with {}", done->note);
 }
 
 /// \return one line about what happened
 std::string run_seed(const Ensemble& ensemble, const std::string& inputs, std::uint64_t seed,
                      const Watcher& watcher, const Reporter& report) {
-  const auto file = run_file(ensemble, seed), ahead = ahead_file(ensemble, seed);
-  for (const auto& there : {file, ahead}) {
-    if (!std::filesystem::exists(there)) continue;
-    const RunData done = read_run_file(there);
-    check_same_scene(done, ensemble, seed, there);
-    check_same_inputs(done, inputs, there.string());
-    if (there == ahead && !ensemble.wanted) accept_ahead(ensemble, seed);
-    Checkpoint(file, "").remove();  // of a run that was killed just after it wrote its file
-    return "already done";
-  }
+  const StateOwner owner = owner_of(ensemble, inputs, seed);
+  Checkpoint checkpoint(run_file(ensemble, seed), owner);
+  if (const auto line = finished_before(ensemble, owner, checkpoint)) return *line;
   const auto say = [&](const std::string& line) { report({seed, line, false, true}); };
-  const Scene scene = scene_of(ensemble.scene, seed);
-  // The layout of a state is the compiled program's, and its last bits are the instruction set's.
-  Checkpoint checkpoint(
-      file, effective_scene(scene) + inputs + CLOG_REVISION __VERSION__ + select_kernels().name);
-  std::optional<Simulation> simulation(std::in_place, scene, ensemble.flow, seed);
-  const auto resume = [&](const std::string& state) {
-    try {
-      simulation->resume(state);
-    } catch (...) {
-      // A state that proves bad half-way must leave nothing behind.
-      simulation.emplace(scene, ensemble.flow, seed);
-      throw;
-    }
-  };
-  checkpoint.load(resume, say);
+  const auto simulation = begin(ensemble, checkpoint, seed, say);
   simulation->on_note(say);
+  simulation->hurry_when(ensemble.stop);
   Saver saver(*simulation, checkpoint, ensemble, say);
   RunData run = simulation->run([&](const Progress& progress) {
     saver.look();
     if (watcher) watcher(progress);
   });
-  run.provenance["inputs_hash"] = inputs;
-  write_run_file(run, ensemble.wanted ? ahead : file);
+  run.provenance[run_record::inputs_hash] = inputs;
+  run.end_state = pack_state({owner, std::move(run.end_state)});
+  write_run_file(run, ensemble.wanted ? ahead_file(ensemble, seed) : run_file(ensemble, seed));
   checkpoint.remove();
+  std::error_code ignored;
+  std::filesystem::remove(shorter_file(ensemble, seed), ignored);
   return summary(run);
 }
 
 }  // namespace
-
-std::filesystem::path run_file(const Ensemble& ensemble, std::uint64_t seed) {
-  return ensemble.directory / run_file_name(seed);
-}
-
-std::filesystem::path ahead_file(const Ensemble& ensemble, std::uint64_t seed) {
-  std::string name = run_file_name(seed);
-  return ensemble.directory / name.replace(0, name.find('_'), "ahead");
-}
-
-void accept_ahead(const Ensemble& ensemble, std::uint64_t seed) {
-  std::filesystem::path ahead = ahead_file(ensemble, seed);
-  if (!std::filesystem::exists(ahead)) return;
-  const RunData run = read_run_file(ahead);
-  check_same_scene(run, ensemble, seed, ahead);
-  // Written anew, since the index of its snapshots names its file.
-  write_run_file(run, run_file(ensemble, seed));
-  std::filesystem::remove(ahead);
-  std::filesystem::remove(ahead.replace_extension(".xmf"));
-}
-
-void remove_states(const Ensemble& ensemble, std::uint64_t seed) { Checkpoint(run_file(ensemble, seed), "").remove(); }
-
-void check_same_scene(const RunData& done, const Ensemble& ensemble, std::uint64_t seed,
-                      const std::filesystem::path& file) {
-  std::istringstream a(done.scene_text), b(effective_scene(scene_of(ensemble.scene, seed)));
-  for (std::string line_a, line_b; std::getline(a, line_a) && std::getline(b, line_b);)
-    require(line_a == line_b,
-            "{}: was made for another scene (\"{}\", now \"{}\"): give another --out", file.string(), line_a,
-            line_b);
-}
 
 std::string inputs_hash(const Ensemble& ensemble) {
   std::string inputs;

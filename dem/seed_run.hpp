@@ -38,23 +38,6 @@ using Reporter = std::function<void(const SeedReport&)>;
 
 enum class SeedEnd { done, failed, stopped, left };  ///< left: no longer wanted, without a trace
 
-/// directory/run_0007.h5
-std::filesystem::path run_file(const Ensemble& ensemble, std::uint64_t seed);
-
-/// directory/ahead_0007.h5
-std::filesystem::path ahead_file(const Ensemble& ensemble, std::uint64_t seed);
-
-/// Gives the file ahead its place as run file, if there is one. The caller holds the seed's lock.
-/// \throws Error if it belongs to another scene
-void accept_ahead(const Ensemble& ensemble, std::uint64_t seed);
-
-/// Saved states tell a seed that goes on; one that does not must have none. The caller holds the seed's lock.
-void remove_states(const Ensemble& ensemble, std::uint64_t seed);
-
-/// \throws Error if a file in the ensemble's directory was made for another scene
-void check_same_scene(const RunData& done, const Ensemble& ensemble, std::uint64_t seed,
-                      const std::filesystem::path& file);
-
 /// Hash of what the scene only names: the field of the flow, the files of particles and walls.
 std::string inputs_hash(const Ensemble& ensemble);
 

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "coupling/require.hpp"
-#include "dem/initial_particles.hpp"
+#include "dem/initial_placement.hpp"
 #include "dem/quantile.hpp"
 
 namespace clog {
@@ -35,7 +35,9 @@ constexpr std::int64_t watch_every = 256;
 }  // namespace
 
 Simulation::Simulation(const Scene& scene, const FlowGrid* flow, std::uint64_t seed)
-    : Simulation(scene, flow, seed, read_initial_particles(scene)) {}
+    : Simulation(scene, flow, seed, read_initial_particles(scene)) {
+  check_placement(read_initial_file(scene), model_);
+}
 
 Simulation::Simulation(const Scene& scene, const FlowGrid* flow, std::uint64_t seed,
                        const std::vector<Particle>& initial)
@@ -56,9 +58,11 @@ Simulation::Simulation(const Scene& scene, const FlowGrid* flow, std::uint64_t s
     particle.wx = given.wx, particle.wy = given.wy, particle.wz = given.wz;
     particles_.add(particle);
   }
+  given_ = id;
+  inlet_.number_from(id);
   largest_radius_ = scene.inlet.enabled ? scene.particles.diameter / 2 : 0;
   for (const ParticleState& p : particles_.states) largest_radius_ = std::max(largest_radius_, p.radius);
-  walls_ = WallContacts(model_.walls, largest_radius_, model_.reach);
+  walls_ = WallContacts(model_.walls, largest_radius_, model_.reach, model_.weld);
   data_.seed = seed;
   data_.scene_text = effective_scene(scene);
   if (flow) data_.provenance["flow_hash"] = flow->hash;
@@ -69,7 +73,7 @@ RunData Simulation::run(const Watcher& watcher) {
   announce_step();
   fill(watcher);
   while (step_ < model_.steps) {
-    if (watcher && step_ % watch_every == 0)
+    if (watcher && is_watched())
       watcher({time(), model_.scene.time.end, step_, particle_steps_, particles_.size(),
                data_.passages.time.size(),
                data_.passages.time.empty() ||
@@ -80,6 +84,7 @@ RunData Simulation::run(const Watcher& watcher) {
     watch_step();
     advance();
   }
+  data_.end_state = save_end();
   compute_forces();
   record();
   sample_snapshot();
@@ -87,11 +92,15 @@ RunData Simulation::run(const Watcher& watcher) {
   return std::move(data_);
 }
 
+bool Simulation::is_watched() const {
+  return step_ % watch_every == 0 || (hurry_ && hurry_->load(std::memory_order_relaxed));
+}
+
 void Simulation::fill(const Watcher& watcher) {
   if (filling_.stage == Filling::Stage::before) begin_filling();
   const double tap_time = tap_duration * model_.scene.stokes_time();
   while (filling_.stage != Filling::Stage::done) {
-    if (watcher && step_ % watch_every == 0)
+    if (watcher && is_watched())
       watcher({-time(), model_.scene.time.end, step_, particle_steps_, particles_.size(), 0, false,
                true});
     const std::int64_t before = inlet_.inserted();
@@ -267,9 +276,10 @@ void Simulation::take_out() {
     }
     const Vec3 place(p[i].x, p[i].y, p[i].z);
     require((place.array() >= d.low.array()).all() && (place.array() <= d.high.array()).all(),
-            "particle {} left the walls at ({:.4g}, {:.4g}, {:.4g}) m, t = {:.6g} s: lower {} or raise "
-            "contact.youngs_modulus",
-            p.id[i], p[i].x, p[i].y, p[i].z, time(), model_.step_key());
+            "particle {} left the walls, which reach from ({:.4g}, {:.4g}, {:.4g}) to ({:.4g}, {:.4g}, {:.4g}) m, at ({:.4g}, {:.4g}, "
+            "{:.4g}) m, t = {:.6g} s: {}",
+            p.id[i], d.low.x(), d.low.y(), d.low.z(), d.high.x(), d.high.y(), d.high.z(), p[i].x, p[i].y, p[i].z, time(),
+            model_.walls_note.empty() ? remedy(p[i]) : "through an opening? " + model_.walls_note);
   }
 }
 

@@ -1,6 +1,7 @@
 // One run: the state of one seed and its steps.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <functional>
 
@@ -50,6 +51,9 @@ public:
   /// Who is told, in one line, of the step's limits and of a step near them.
   void on_note(std::function<void(const std::string&)> say) { say_ = std::move(say); }
 
+  /// While it is true the watcher is called at every step, not only now and then; must outlive the run.
+  void hurry_when(const std::atomic<bool>* asked) { hurry_ = asked; }
+
   /// The present contacts, films and drag, which know their largest stable step; after compute_forces().
   NetworkLimit network() const;
 
@@ -60,10 +64,14 @@ public:
   void change_step(double dt);
 
   /// Everything that the next step depends on, and all that was recorded, as bytes; between two
-  /// steps only, that is from a watcher. A simulation of the same scene and seed that resumes from
-  /// it goes on with the same bits.
+  /// steps only, that is from a watcher. A simulation of the same seed that resumes from it goes on with the
+  /// same bits, if its scene differs at most in keys that decide no trajectory (coupling/scene_difference.hpp).
+  /// \throws Error if the bytes are no such state; StateRefused if the run they belong to is another
   std::string save();
   void resume(const std::string& state);
+
+  /// Goes on from RunData::end_state of a finished run, and what it recorded. \throws as resume()
+  void lengthen(RunData done, const std::string& end_state);
 
   /// The loop of run(), in pieces, for tests and studies.
   void fill(const Watcher& watcher);  ///< packs the channel against the gate, then opens it
@@ -102,6 +110,7 @@ private:
   void open_gate();
   void set_walls(bool gate_closed);
   void feed_inlet(double time);
+  bool is_watched() const;  ///< at this step
   void take_out();
   void rebuild_lists();
   void sort_candidates();
@@ -109,15 +118,24 @@ private:
   void watch_step();     ///< now and then: the limit of the contacts, and energy from nothing
   void look_at_limit();  ///< \throws Error if the run begins above it
   void look_for_shaking();  ///< whether the pack moves between whole steps but not at them
-  void check_overlap() const;  ///< \throws Error if contacts are pressed too deep
+  void check_overlap();  ///< warns of deep contacts. \throws Error if they are pressed too deep
   int fastest() const;  ///< the fastest particle, or the first whose velocity is no number
-  int deepest() const;  ///< a particle of the deepest contact
+  struct Deepest {
+    int particle = 0, other = -1;  ///< other < 0: a wall
+    double overlap = 0;            ///< [m]
+  };
+  Deepest deepest() const;  ///< the deepest contact
+  std::string describe_contact(const Deepest& contact) const;
+  std::string remedy(const ParticleState& worst) const;
   [[noreturn]] void blow_up(const char* cause, int particle) const;
   void add_pair(NetworkLimit& network, int i, int j) const;
   std::vector<Film> films() const;
   AdvanceTask advance_task();
   /// The first kick leads from time 0 to half a step; all later ones from half step to half step.
   double next_kick() const { return kick_ == 0 ? model_.dt / 2 : model_.dt; }
+  std::string save_end();        ///< for RunData::end_state; what was recorded is left to the run file
+  void take_up(RunData recorded);  ///< fits a state that was read to our scene
+  double next_due(double interval) const;  ///< as if things had been recorded at that interval from the start [s]
   void check_resumed() const;  ///< \throws Error unless a state read is one that a run can have
   void find_passages();
   void set_friction(bool on);
@@ -156,6 +174,7 @@ private:
   ContactTally pair_tally_, wall_tally_;
   std::vector<std::uint8_t> leaving_;
   double largest_radius_ = 0;  // of any particle that will be [m]
+  std::int64_t given_ = 0;     // initial particles, which have the first ids
   RunData data_;
   std::int64_t step_ = 0;
   double kick_ = 0;     // dt, or dt/2 in the very first step: the velocities given are at x_0
@@ -172,6 +191,7 @@ private:
   Filling filling_;
   StepWatch step_watch_;
   std::function<void(const std::string&)> say_;
+  const std::atomic<bool>* hurry_ = nullptr;
   bool gate_closed_ = false;
   using Clock = std::chrono::steady_clock;
   double seconds_ = 0;  // of wall-clock time spent before clock_ [s]

@@ -53,9 +53,9 @@ std::vector<Film> Simulation::films() const {
   const auto& p = particles_;
   std::vector<Film> films;
   const auto add = [&](int i, int j, const LubricationLaw& law, const Vector<double>& normal, double radius,
-                       double gap) {
+                       double gap, double share = 1) {
     const double coefficient = film_coefficient(law, radius, gap, 1.0);
-    if (coefficient > 0) films.push_back({i, j, normal, coefficient});
+    if (coefficient > 0) films.push_back({i, j, normal, share * coefficient});
   };
   const auto add_pair = [&](int i, int j) {
     const PairPlace<double> place = pair_place(p, i, j);
@@ -71,16 +71,20 @@ std::vector<Film> Simulation::films() const {
   if (law.viscosity > 0 && !walls_.empty())
     for (const auto& wall : walls_.gaps(p, law.farthest))
       add(wall.particle, -1, law, {wall.normal.x(), wall.normal.y(), wall.normal.z()},
-          p[wall.particle].radius, wall.width);
+          p[wall.particle].radius, wall.width, wall.share);
   return films;
 }
 
 void Simulation::announce_step() {
-  const StepLimits limits = expected_limits(model_, read_initial_particles(model_.scene));
+  const InitialParticles initial = read_initial_file(model_.scene);
+  const StepLimits limits = expected_limits(model_, initial.particles);
   data_.provenance["step_limits"] = describe(limits, model_.dt);
   if (say_) say_(describe(limits, model_.dt));
+  if (say_ && !initial.note.empty()) say_(initial.note);
   if (say_ && !model_.walls_note.empty()) say_(model_.walls_note);
   if (const std::string warning = check_step(limits, model_); say_ && !warning.empty()) say_(warning);
+  for (const std::string& warning : {way_warning(limits, model_.dt), impact_warning(limits, model_.dt)})
+    if (say_ && !warning.empty()) say_(warning);
 }
 
 void Simulation::watch_step() {
@@ -148,10 +152,24 @@ double Simulation::kinetic_energy() const {
   return energy;
 }
 
-void Simulation::check_overlap() const {
+void Simulation::check_overlap() {
   if (particles_.size() == 0) return;
   const double overlap = std::max(pair_tally_.largest_overlap, wall_tally_.largest_overlap);
-  if (!(overlap <= deepest_overlap * 2 * neighbours_.smallest_radius)) blow_up("pressed too deep", deepest());
+  if (!(overlap <= deepest_overlap * 2 * neighbours_.smallest_radius)) blow_up("pressed too deep", deepest().particle);
+  if (step_watch_.deep || overlap <= deep_overlap * 2 * neighbours_.smallest_radius) return;
+  step_watch_.deep = true;
+  if (say_)
+    say_(fmt::format("t = {:.6g} s, {}: beyond {} of a diameter Hertz's law is off by 10 % and more; raise contact.youngs_modulus",
+                     time(), describe_contact(deepest()), deep_overlap));
+}
+
+std::string Simulation::describe_contact(const Deepest& contact) const {
+  const auto& p = particles_;
+  const ParticleState& at = p[contact.particle];
+  const double smaller = contact.other < 0 ? at.radius : std::min(at.radius, p[contact.other].radius);
+  return fmt::format("particle {} at ({:.4g}, {:.4g}, {:.4g}) m overlaps {} by {:.3g} m, {:.2g} of its diameter", p.id[contact.particle],
+                     at.x, at.y, at.z, contact.other < 0 ? "a wall" : fmt::format("particle {}", p.id[contact.other]),
+                     contact.overlap, contact.overlap / (2 * smaller));
 }
 
 int Simulation::fastest() const {
@@ -169,34 +187,41 @@ int Simulation::fastest() const {
   return worst;
 }
 
-int Simulation::deepest() const {
+Simulation::Deepest Simulation::deepest() const {
   const auto& p = particles_;
-  int worst = 0;
-  double deepest = 0;
-  const auto look = [&](int i, double overlap) {
-    if (!(overlap <= deepest)) worst = i, deepest = overlap;
+  Deepest worst;
+  const auto look = [&](int i, int j, double overlap) {
+    if (!(overlap <= worst.overlap)) worst = {i, j, overlap};
   };
   const ContactSet& pairs = neighbours_.contacts;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const int i = pairs.first(k), j = pairs.second(k);
     const PairPlace<double> place = pair_place(p, i, j);
-    look(i, place.overlap(place.distance()));
+    look(i, j, place.overlap(place.distance()));
   }
   if (!walls_.empty())
-    for (const auto& touch : walls_.touches(p)) look(touch.particle, touch.overlap);
+    for (const auto& touch : walls_.touches(p)) look(touch.particle, -1, touch.overlap);
   return worst;
+}
+
+/// What may be done about a run that ends, by what is known of it.
+std::string Simulation::remedy(const ParticleState& worst) const {
+  const double speed = std::sqrt(worst.vx * worst.vx + worst.vy * worst.vy + worst.vz * worst.vz);
+  if (!std::isfinite(speed) || !std::isfinite(worst.x + worst.y + worst.z))
+    return "a number became infinite or none; look for two particles in one place, or lower " + std::string(model_.step_key());
+  if (particle_steps_ == 0) return "it begins so: move particles apart, or away from the walls";
+  return fmt::format("lower {} or raise contact.youngs_modulus", model_.step_key());
 }
 
 void Simulation::blow_up(const char* cause, int particle) const {
   const ParticleState& worst = particles_[particle];
+  const Deepest contact = deepest();
   throw Error(fmt::format(
       "blow-up at step {} (t = {:.6g} s), {}: particle {} at ({:.4g}, {:.4g}, {:.4g}) m moves at "
-      "{:.3g} m/s under a force of {:.3g} N, largest overlap {:.3g} m; lower {} or raise "
-      "contact.youngs_modulus",
+      "{:.3g} m/s under a force of {:.3g} N{}; {}",
       step_, time(), cause, particles_.id[particle], worst.x, worst.y, worst.z,
       std::sqrt(worst.vx * worst.vx + worst.vy * worst.vy + worst.vz * worst.vz),
-      Vec3(worst.fx, worst.fy, worst.fz).norm(),
-      std::max(pair_tally_.largest_overlap, wall_tally_.largest_overlap), model_.step_key()));
+      Vec3(worst.fx, worst.fy, worst.fz).norm(), contact.overlap > 0 ? ", " + describe_contact(contact) : "", remedy(worst)));
 }
 
 }  // namespace clog

@@ -5,6 +5,7 @@
 
 #include <unistd.h>
 
+#include "coupling/run_record.hpp"
 #include "dem/quantile.hpp"
 #include "dem/simulation.hpp"
 
@@ -139,19 +140,23 @@ void Simulation::finish() {
   p["compiler"] = __VERSION__;
   p["instruction_set"] = kernels_.name;
   p["host"] = host;
-  p["wall_time_s"] = seconds_;
-  p["particle_steps"] = particle_steps_;
-  p["particle_steps_per_s"] = seconds_ > 0 ? particle_steps_ / seconds_ : 0;
-  p["time_step_s"] = model_.dt;
+  p[run_record::wall_time] = seconds_;
+  p[run_record::particle_steps] = particle_steps_;
+  p[run_record::particle_steps_per_s] = seconds_ > 0 ? particle_steps_ / seconds_ : 0;
+  p[run_record::time_step] = model_.dt;
   p["contact_time_s"] = model_.contact_time;
-  if (std::isfinite(step_watch_.smallest_limit)) p["contact_limit_s"] = step_watch_.smallest_limit;
+  if (std::isfinite(step_watch_.smallest_limit)) p[run_record::contact_limit] = step_watch_.smallest_limit;
   p["shaking_speed_m_s"] = step_watch_.shaking;
-  p["fill_time_s"] = filling_.duration;
+  p[run_record::fill_time] = filling_.duration;
   p["fill_at_rest"] = filling_.at_rest;
   p["inserted"] = inlet_.inserted();
   p["insertions_refused"] = inlet_.refused();
   if (say_ && inlet_.shut())
     say_(fmt::format("the inlet found no room for any particle in {} attempts: the channel is full up to it", inlet_.refused()));
+  const std::int64_t left = given_ + inlet_.inserted() - static_cast<std::int64_t>(particles_.size());
+  if (say_ && left > 0 && data_.passages.time.empty())
+    say_(fmt::format("warning: {} particle{} left at the outlet, x = {:.4g} m, and none was counted at passages.plane = {:.4g} m",
+                     left, left > 1 ? "s" : "", model_.domain.outlet, model_.domain.passage));
   if (model_.scene.contact.torsion_update == TorsionUpdate::doubling)
     p["experiment"] = "contact.torsion_update = \"doubling\": springs advanced wrongly on purpose";
 }

@@ -1,9 +1,12 @@
 // A run's state as bytes, and back; nothing that is read is trusted.
 
 #include <cmath>
+#include <utility>
 
 #include "coupling/archive.hpp"
 #include "coupling/require.hpp"
+#include "coupling/scene_difference.hpp"
+#include "dem/checkpoint.hpp"
 #include "dem/simulation.hpp"
 
 namespace clog {
@@ -19,6 +22,14 @@ bool finite_from_zero(Numbers... numbers) {
   return (... && (std::isfinite(numbers) && numbers >= 0));
 }
 
+/// A record without entries.
+RunData nothing_of(const RunData& run) {
+  RunData empty;
+  empty.seed = run.seed;
+  empty.scene_text = run.scene_text;
+  return empty;
+}
+
 }  // namespace
 
 std::string Simulation::save() {
@@ -29,12 +40,60 @@ std::string Simulation::save() {
 }
 
 void Simulation::resume(const std::string& state) {
-  const std::string scene_text = data_.scene_text;
-  const std::uint64_t seed = data_.seed;
+  RunData recorded = nothing_of(data_);
   ArchiveReader archive(state);
   exchange(archive);
   require(archive.at_end(), "a saved state is longer than it should be");
-  demand(data_.scene_text == scene_text && data_.seed == seed, "of another scene or seed");
+  std::swap(recorded, data_);
+  take_up(std::move(recorded));
+}
+
+std::string Simulation::save_end() {
+  RunRows rows = rows_of(data_);
+  RunData all = std::exchange(data_, nothing_of(data_));
+  count_seconds();
+  ArchiveWriter archive;
+  archive(rows);
+  exchange(archive);
+  data_ = std::move(all);
+  return archive.bytes();
+}
+
+void Simulation::lengthen(RunData done, const std::string& end_state) {
+  RunData own = nothing_of(data_);
+  ArchiveReader archive(end_state);
+  RunRows rows;
+  archive(rows);
+  exchange(archive);
+  require(archive.at_end(), "a saved state is longer than it should be");
+  demand(cut_rows(done, rows), "not of what its run recorded");
+  data_ = std::move(own);
+  take_up(std::move(done));
+}
+
+double Simulation::next_due(double interval) const {
+  if (filling_.stage != Filling::Stage::done || step_ == 0) return 0;
+  // What record() compared with at its last call.
+  const double looked = static_cast<double>(step_ - 1) * model_.dt + model_.dt / 2;
+  if (interval <= model_.dt) return looked;
+  double next = 0;
+  while (next <= looked) next += interval;
+  return next;
+}
+
+void Simulation::take_up(RunData recorded) {
+  const auto differences = scene_differences(recorded.scene_text, data_.scene_text);
+  demand(!find_role(differences, KeyRole::trajectory) && data_.seed == recorded.seed, "of another scene or seed");
+  const auto& output = model_.scene.output;
+  for (const SceneDifference& each : differences) {
+    if (each.key == "output.series_interval") next_series_ = next_due(output.series_interval);
+    if (each.key == "output.snapshot_interval") next_snapshot_ = next_due(output.snapshot_interval);
+  }
+  recorded.scene_text = std::move(data_.scene_text);
+  data_ = std::move(recorded);
+  if (watch_.friction_off() && !data_.releases.on.empty()) data_.releases.on.back() = model_.scene.time.end;
+  if (filling_.stage == Filling::Stage::done && step_ > model_.steps)
+    throw StateRefused(fmt::format("is at t = {:.6g} s, beyond time.end = {:.6g} s: raise time.end", time(), model_.scene.time.end));
   check_resumed();
 }
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "coupling/channel_shape.hpp"
 #include "coupling/require.hpp"
 #include "dem/pack_estimates.hpp"
 #include "dem/physics/dimensionless.hpp"
@@ -42,6 +43,16 @@ double expected_overlap(const Model& model, const Particle& sphere, const std::v
                   model.pair_law.overlap_at(load, d / 4));
 }
 
+/// The fastest that the flow or the start makes of any particle [m/s].
+double fastest_way(const Scene& s, const std::vector<Particle>& initial) {
+  double speed = 0;
+  for (const Particle& p : initial) speed = std::max(speed, Vec3(p.vx, p.vy, p.vz).norm());
+  if (!s.drag.enabled) return speed;
+  const double f = s.porosity.strips > 0 ? 1 / pack_porosity : 1;
+  const bool channel = s.geometry.present && s.flow.mean_velocity > 0;
+  return std::max(speed, f * (channel ? neck_mean_velocity(s) : s.flow_speed()));
+}
+
 /// A sphere between two walls' worth of contacts: one wall and five neighbours along the axes, the densest
 /// load that a pack offers; all at the same overlap.
 double pack_limit(const Model& model, const Particle& sphere, double overlap) {
@@ -75,6 +86,7 @@ StepLimits expected_limits(const Model& model, const std::vector<Particle>& init
   limits.rayleigh_time = rayleigh_time(sphere.radius, s.particles.density * s.time.mass_scale, shear,
                                        s.contact.poisson_ratio);
   limits.drag = limits.lubrication = limits.contacts = infinite;
+  limits.passing = d / fastest_way(s, initial);
   if (s.drag.enabled && s.time.integrator == Integrator::verlet)
     limits.drag = stable_step(0, voidage(s) * stokes_coefficient(s.fluid.viscosity, d) / sphere.mass);
   if (model.lubrication.viscosity > 0 && s.time.integrator != Integrator::implicit_fluid) {
@@ -105,7 +117,28 @@ std::string describe(const StepLimits& l, double dt) {
   return line;
 }
 
+std::string way_warning(const StepLimits& l, double dt) {
+  const double share = dt / l.passing;
+  if (share <= long_share) return {};
+  return fmt::format("in a step of {:.3g} s the fastest particles go {:.2g} of a diameter (more than {}: contacts are met late; a "
+                     "run refuses more than {})",
+                     dt, share, long_share, longest_share);
+}
+
+double impact_error(const StepLimits& l, double dt) { return 0.073 * dt * dt / (l.contacts * l.contacts); }
+
+std::string impact_warning(const StepLimits& l, double dt) {
+  const double error = impact_error(l, dt);
+  if (error <= 0.01) return {};
+  return fmt::format("the step is {:.2g} of the contacts' limit: the restitution of single impacts is off by up to {:.2g} %, on "
+                     "average by less than one",
+                     dt / l.contacts, 100 * error);
+}
+
 std::string check_step(const StepLimits& l, const Model& model) {
+  require(model.dt <= longest_share * l.passing,
+          "in a step of {:.3g} s the fastest particles go {:.2g} of a diameter (no more than {}, or contacts are met too late): lower {}",
+          model.dt, model.dt / l.passing, longest_share, model.step_key());
   require(l.expected_overlap <= deepest_overlap,
           "overlaps of {:.2g} diameters are to be expected (no more than {} means anything): raise "
           "contact.youngs_modulus or slow the flow",

@@ -16,7 +16,7 @@ inline constexpr std::int64_t look_at_whole_every = 16 * look_every;
 struct StepWatch {
   double smallest_bound = std::numeric_limits<double>::infinity();  ///< NetworkLimit::bound() [s]
   double smallest_limit = std::numeric_limits<double>::infinity();  ///< exact() where the bound was near [s]
-  bool warned = false;
+  bool warned = false, deep = false;  ///< of a step near its limit, of deep overlaps: said once
   double shaking = 0;   ///< largest speed of a pack that rests at whole steps but not between them [m/s]
   double stored = -1;   ///< kinetic and elastic energy at the last look; -1: none yet [J]
   double supplied = 0;  ///< work done until then [J]
@@ -34,7 +34,7 @@ struct StepWatch {
 
   template <class Archive>
   void exchange(Archive& archive) {
-    archive(smallest_bound, smallest_limit, warned, shaking, stored, supplied);
+    archive(smallest_bound, smallest_limit, warned, deep, shaking, stored, supplied);
   }
 };
 

@@ -21,8 +21,8 @@ struct WallLaws {
 };
 
 /// Two lists, made anew together with the pair list: particles that can meet only the inside of a
-/// flat patch (a plane: the SIMD kernel), and particles near an edge or corner (triangle by
-/// triangle). A contact is the same as in the last step if its place on the wall is, whatever
+/// flat patch (a plane: the SIMD kernel), and particles near an edge or corner, or where a wall curves
+/// (triangle by triangle, facets of a curved wall joined). A contact is the same as in the last step if its place on the wall is, whatever
 /// triangle it is on: so springs survive a sphere's way across an edge, and from one list into the
 /// other.
 class WallContacts {
@@ -30,6 +30,8 @@ public:
   WallContacts() = default;
 
   /// \param radius  of the largest particle [m]
+  /// \param weld    corners of the walls that are nearer than this are one [m]
+  WallContacts(const Walls& walls, double radius, const Reach& reach, double weld);
   WallContacts(const Walls& walls, double radius, const Reach& reach);
 
   /// Puts other walls in place; contacts go on where both have the same surface. Call rebuild()
@@ -60,10 +62,11 @@ public:
     Vec3 normal;
     double overlap;  ///< [m]
     Springs<double> springs;
+    double share = 1;  ///< of the loads, see join_touches [-]
 
     template <class Archive>
     void exchange(Archive& archive) {
-      archive(particle, point, normal, overlap, springs);
+      archive(particle, point, normal, overlap, springs, share);
     }
   };
   std::vector<Touch> touches(const Particles& particles) const;
@@ -73,6 +76,7 @@ public:
     int particle;
     Vec3 normal;
     double width;  ///< >= 0 [m]
+    double share;  ///< of the film's force, see join_touches [-]
   };
   std::vector<Gap> gaps(const Particles& particles, double widest) const;
 
@@ -96,9 +100,20 @@ private:
     }
   };
 
+  /// What may be met near one particle.
+  struct Nearby {
+    std::vector<int> triangles;
+    std::vector<int> planes;  ///< patches that are met in their inside only
+  };
+  Nearby nearby(const Vec3& centre, double radius) const;
+
+  /// Where a particle is near edges, corners and curved walls; into `found`.
+  void points_near(const Corner& corner, const Particles& particles, double widest, std::vector<WallPoint>& found) const;
+
   WallSurface surface_;
   WallBins bins_;
   Reach reach_;
+  double weld_ = 0;
   std::vector<int> particle_, slot_;  // of each plane slot; slot_[k] = k
   std::vector<double> nx_, ny_, nz_, offset_;
   ContactSet contacts_;

@@ -5,7 +5,6 @@
 #include <map>
 
 #include "dem/closest_point.hpp"
-#include "coupling/wall_mesh.hpp"
 
 namespace clog {
 
@@ -16,6 +15,9 @@ constexpr double same_normal = 1e-7;
 
 /// A triangle that comes closer by less than this share touches at the same place to rounding.
 constexpr double same_distance = 1e-12;
+
+/// Places closer than this share of the reach are one.
+constexpr double same_place = 1e-7;
 
 Vec3 normal_of(const Triangle& t) {
   return (t.corner[1] - t.corner[0]).cross(t.corner[2] - t.corner[0]).normalized();
@@ -29,8 +31,8 @@ double distance_to_segment(const std::array<Vec3, 2>& segment, const Vec3& point
 
 }  // namespace
 
-WallSurface::WallSurface(const Walls& walls) {
-  WallMesh mesh = join_walls(walls);
+WallSurface::WallSurface(const Walls& walls, double weld) {
+  WallMesh mesh = join_walls(walls, weld);
   triangles_ = std::move(mesh.triangles);
   corner_ = std::move(mesh.corner);
   around_.resize(mesh.corners);
@@ -94,6 +96,27 @@ bool WallSurface::well_inside(const WallPatch& patch, const Vec3& centre, double
          });
 }
 
+bool WallSurface::may_share_a_touch(const WallPatch& patch, int triangle, double reach) const {
+  const Vec3& normal = patches_[patch_[triangle]].normal;
+  const double cosine = patch.normal.dot(normal);
+  if (cosine <= two_touches || &patch == &patches_[patch_[triangle]]) return false;
+  const auto& corner = triangles_[triangle].corner;
+  const auto height = [&](const Vec3& c) { return patch.normal.dot(c) - patch.offset; };
+  const double highest = std::max({height(corner[0]), height(corner[1]), height(corner[2])});
+  const bool same_plane = (normal - patch.normal).norm() < same_normal && std::abs(highest) <= same_place * reach;
+  return same_plane || highest > same_place * reach;
+}
+
+bool WallSurface::neighbour_comes_closer(int triangle, const Vec3& centre, const ClosestPoint& closest) const {
+  const double distance = (closest.point - centre).norm();
+  const int a = corner_[triangle][closest.at[0]], b = corner_[triangle][closest.at[1]];
+  return std::any_of(around_[a].begin(), around_[a].end(), [&](int other) {
+    const auto& ends = corner_[other];
+    if (other == triangle || std::find(ends.begin(), ends.end(), b) == ends.end()) return false;
+    return !(this->distance(other, centre) >= distance * (1 - same_distance));
+  });
+}
+
 void WallSurface::closest_points(const std::vector<int>& triangles, const Vec3& centre, double reach,
                                  std::vector<WallPoint>& found) const {
   const std::size_t begin = found.size();
@@ -101,22 +124,15 @@ void WallSurface::closest_points(const std::vector<int>& triangles, const Vec3& 
     const ClosestPoint closest = closest_point(triangles_[t], centre);
     const Vec3 away = centre - closest.point;
     const double distance = away.norm();
-    if (distance >= reach || distance == 0) continue;
+    if (distance >= reach) continue;
     // Triangles around the edge or corner: one that comes closer holds the true contact.
-    bool local_minimum = true;
-    if (closest.corners < 3) {
-      const int a = corner_[t][closest.at[0]], b = corner_[t][closest.at[1]];
-      for (int other : around_[a]) {
-        const auto& ends = corner_[other];
-        if (other == t || std::find(ends.begin(), ends.end(), b) == ends.end()) continue;
-        const double rival = (closest_point(triangles_[other], centre).point - centre).norm();
-        local_minimum = local_minimum && rival >= distance * (1 - same_distance);
-      }
-    }
+    if (closest.corners < 3 && neighbour_comes_closer(t, centre, closest)) continue;
     const bool known = std::any_of(found.begin() + begin, found.end(), [&](const WallPoint& w) {
-      return (w.point - closest.point).norm() < 1e-7 * reach;
+      return (w.point - closest.point).norm() < same_place * reach;
     });
-    if (local_minimum && !known) found.push_back({closest.point, away / distance, distance});
+    if (known) continue;
+    const Vec3 normal = distance > 0 ? Vec3(away / distance) : patches_[patch_[t]].normal;
+    found.push_back({closest.point, normal, distance});
   }
 }
 

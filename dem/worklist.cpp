@@ -6,11 +6,11 @@
 #include <thread>
 #include <utility>
 
+#include <pwd.h>
 #include <unistd.h>
 
 #include "coupling/publish_file.hpp"
 #include "coupling/require.hpp"
-#include "dem/ledger.hpp"
 
 namespace clog {
 
@@ -24,6 +24,11 @@ constexpr double pause_share = 0.005, shortest_pause = 0.01, longest_pause = 5; 
 
 /// In which a request to stop is noticed [s]
 constexpr double slice = 0.05;
+
+std::string user_name() {
+  const passwd* user = ::getpwuid(::geteuid());
+  return user ? user->pw_name : std::to_string(::geteuid());
+}
 
 std::filesystem::path failure_file(std::filesystem::path run_file) { return run_file.replace_extension(".failed"); }
 
@@ -52,8 +57,7 @@ Worklist::Worklist(Call call)
     : call_(std::move(call)),
       jobs_(jobs_of(call_.ensembles)),
       settled_(jobs_.size(), 0),
-      position_(static_cast<std::size_t>(call_.launch.rank)),
-      began_(seconds_now()) {}
+      position_(static_cast<std::size_t>(call_.launch.rank)) {}
 
 std::vector<Job> Worklist::done_before() {
   std::vector<Job> done;
@@ -115,7 +119,7 @@ bool Worklist::is_over(std::size_t k) const {
 std::optional<Claim> Worklist::claim(std::size_t k) {
   try {
     auto lock = SeedLock::take(
-        file(k), fmt::format("{} process {} on {}", call_.launch.call, ::getpid(), call_.launch.host));
+        file(k), fmt::format("{} process {} of user {} on {}", call_.launch.call, ::getpid(), user_name(), call_.launch.host));
     if (!lock) return {};
     if (!lock->works()) {
       without_locks_ = true;
@@ -191,12 +195,26 @@ void Worklist::forget_failure(const Job& job) const {
   std::filesystem::remove(failure_file(run_file(call_.ensembles[job.ensemble], job.seed)), ignored);
 }
 
+std::optional<std::string> Worklist::failed_before(const Job& job) const {
+  std::ifstream mark(failure_file(run_file(call_.ensembles[job.ensemble], job.seed)));
+  std::string call, reason;
+  if (!std::getline(mark, call)) return {};
+  std::getline(mark, reason);
+  return reason;
+}
+
+bool Worklist::is_complete() const {
+  for (std::size_t k = 0; k < jobs_.size(); ++k)
+    if (!is_settled(k)) return false;
+  return true;
+}
+
 bool Worklist::must_stop() const {
   return std::ranges::any_of(call_.ensembles, [](const Ensemble& e) { return e.stop && e.stop->load(); });
 }
 
 void Worklist::pause() const {
-  const double wanted = std::clamp(pause_share * (seconds_now() - began_), shortest_pause, longest_pause);
+  const double wanted = std::clamp(pause_share * watch_.seconds(), shortest_pause, longest_pause);
   for (double slept = 0; slept < wanted && !must_stop(); slept += slice)
     std::this_thread::sleep_for(std::chrono::duration<double>(std::min(slice, wanted)));
 }

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "dem/launch.hpp"
+#include "dem/ledger.hpp"
+#include "dem/seed_files.hpp"
 #include "dem/seed_lock.hpp"
 #include "dem/seed_run.hpp"
 
@@ -57,6 +59,12 @@ public:
   void mark_failed(const Job& job, const std::string& reason) const;
   void forget_failure(const Job& job) const;
 
+  /// Why it failed at another time, if it did.
+  std::optional<std::string> failed_before(const Job& job) const;
+
+  /// Whether nothing is left, for this call or another.
+  bool is_complete() const;
+
   /// Jobs that another call is at work on, left to it: how many, and who has one of them.
   int left_to_others() const { return left_to_others_; }
   const std::string& other() const { return other_; }
@@ -89,7 +97,7 @@ private:
   int left_to_others_ = 0;
   std::string other_;
   bool without_locks_ = false;
-  double began_;
+  Stopwatch watch_;
 };
 
 }  // namespace clog

@@ -15,13 +15,15 @@ extern char** environ;
 
 namespace clog::postprocess {
 
-ChildResult run_program(const std::vector<std::string>& words) {
+ChildResult run_program(const std::vector<std::string>& words, int keep_open) {
   int ends[2];
   require(pipe2(ends, O_CLOEXEC) == 0, "no pipe to {} ({})", words.front(), std::strerror(errno));
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
+  // A copy onto itself is not closed when the program starts.
+  if (keep_open != nothing_open) posix_spawn_file_actions_adddup2(&actions, keep_open, keep_open);
   std::vector<char*> arguments;
   for (const auto& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);

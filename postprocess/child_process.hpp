@@ -11,8 +11,11 @@ struct ChildResult {
   std::string output;  ///< standard output and error together
 };
 
+inline constexpr int nothing_open = -1;
+
 /// Looks the program up in PATH unless its name holds a slash; no shell is involved.
+/// \param keep_open  a descriptor that the program has open too
 /// \throws Error when it cannot be started
-ChildResult run_program(const std::vector<std::string>& words);
+ChildResult run_program(const std::vector<std::string>& words, int keep_open = nothing_open);
 
 }  // namespace clog::postprocess

@@ -27,7 +27,11 @@ Estimate bootstrap_over_seeds(std::size_t count, const EnsembleStatistic& statis
   std::iota(seeds.begin(), seeds.end(), std::size_t{0});
   constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
   Estimate estimate{statistic(seeds), undefined, undefined};
-  if (count < 2 || !std::isfinite(estimate.value)) return estimate;
+  if (!std::isfinite(estimate.value)) return estimate;
+  if (count < 2) {
+    estimate.note = "a single seed: no interval";
+    return estimate;
+  }
 
   std::vector<double> values;
   for (std::size_t replicate = 0; replicate < resampling.replicates; ++replicate) {
@@ -36,11 +40,25 @@ Estimate bootstrap_over_seeds(std::size_t count, const EnsembleStatistic& statis
     const double value = statistic(seeds);
     if (std::isfinite(value)) values.push_back(value);
   }
-  if (2 * values.size() < resampling.replicates || values.empty()) return estimate;
+  if (2 * values.size() < resampling.replicates || values.empty()) {
+    estimate.note = "few seeds define it: no interval";
+    return estimate;
+  }
   std::sort(values.begin(), values.end());
   estimate.low = quantile(values, (1.0 - resampling.level) / 2.0);
   estimate.high = quantile(values, (1.0 + resampling.level) / 2.0);
   return estimate;
+}
+
+bool is_spread_missing(const Estimate& estimate) {
+  // Sums in another order differ in their last digits.
+  constexpr double rounding = 1e-12;
+  return estimate.high - estimate.low <= rounding * std::abs(estimate.value);
+}
+
+Estimate without_interval(const Estimate& estimate) {
+  constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+  return {estimate.value, undefined, undefined, "resampled seeds all agree"};
 }
 
 }  // namespace clog::postprocess

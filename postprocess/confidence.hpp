@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace clog::postprocess {
@@ -12,6 +13,7 @@ namespace clog::postprocess {
 struct Estimate {
   double value = 0;
   double low = 0, high = 0;  ///< percentile interval; NaN where it cannot be given
+  std::string note = {};     ///< why something is missing, or where the interval comes from instead
 };
 
 struct Resampling {
@@ -30,5 +32,12 @@ using EnsembleStatistic = std::function<double(const std::vector<std::size_t>& s
 /// Tibshirani, An Introduction to the Bootstrap, ch. 13
 Estimate bootstrap_over_seeds(std::size_t count, const EnsembleStatistic& statistic,
                               const Resampling& resampling);
+
+/// Whether all resampled ensembles gave the same value: seeds that happen to agree have no spread,
+/// which does not make the value certain.
+bool is_spread_missing(const Estimate& estimate);
+
+/// The value alone, and why.
+Estimate without_interval(const Estimate& estimate);
 
 }  // namespace clog::postprocess

@@ -29,6 +29,19 @@ Estimate mean_burst_from_counts(std::size_t stops, std::size_t passages, double 
   return {of / n, 1 / often, 1 / rare};
 }
 
+Estimate share_from_counts(std::size_t part, std::size_t whole, double level) {
+  require(part <= whole, "{} of {}: no share", part, whole);
+  if (whole == 0) return {undefined, undefined, undefined};
+  const auto k = static_cast<double>(part), n = static_cast<double>(whole);
+  const double bound = std::pow(1 - level, 1 / n);
+  if (part == 0) return {0, 0, 1 - bound};
+  if (part == whole) return {1, bound, 1};
+  const double tail = 0.5 * (1 - level);
+  using boost::math::beta_distribution;
+  return {k / n, quantile(beta_distribution(k, n - k + 1), tail),
+          quantile(complement(beta_distribution(k + 1, n - k), tail))};
+}
+
 Estimate rate_from_counts(std::size_t events, double exposure, double level) {
   if (!(exposure > 0)) return {undefined, undefined, undefined};
   if (events == 0) return {0, 0, -std::log1p(-level) / exposure};
@@ -40,7 +53,7 @@ Estimate rate_from_counts(std::size_t events, double exposure, double level) {
 }
 
 Estimate wider(const Estimate& a, const Estimate& b) {
-  return {a.value, std::fmin(a.low, b.low), std::fmax(a.high, b.high)};
+  return {a.value, std::fmin(a.low, b.low), std::fmax(a.high, b.high), a.note};
 }
 
 }  // namespace clog::postprocess

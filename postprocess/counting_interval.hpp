@@ -22,6 +22,11 @@ Estimate mean_burst_from_counts(std::size_t stops, std::size_t passages, double 
 /// \source Garwood 1936, Biometrika 28:437
 Estimate rate_from_counts(std::size_t events, double exposure, double level);
 
+/// Share of a whole (binomial): value = part / whole, interval exact (Clopper & Pearson). None or all:
+/// the one-sided bound.
+/// \param part <= whole \return NaN throughout for whole = 0
+Estimate share_from_counts(std::size_t part, std::size_t whole, double level);
+
 /// The wider of two intervals on each side; NaN sides give way. The value is the first one's.
 Estimate wider(const Estimate& a, const Estimate& b);
 

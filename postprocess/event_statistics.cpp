@@ -5,8 +5,11 @@
 #include <array>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "postprocess/fit_json.hpp"
 #include "postprocess/geometric_law.hpp"
+#include "postprocess/survival_test.hpp"
 
 namespace clog::postprocess {
 
@@ -68,7 +71,12 @@ json burst_shape(const RunGroup& group, const StatisticsRequest& request) {
   shape["share_up_to_3_geometric"] = 1.0 - std::pow(1.0 - 1.0 / mean, 3);
   const GeometricTest test =
       test_geometric(sizes, geometric_replicates, request.resampling.seed);
-  shape["geometric"] = {{"ks", test.ks}, {"p_value", test.p_value}};
+  const bool ruled_out = test.p_value < ruled_out_below;
+  shape["geometric"] = {{"ks", test.ks},
+                        {"p_value", test.p_value},
+                        {"ruled_out", ruled_out},
+                        {"verdict", fmt::format("{} ({})", ruled_out ? "ruled out" : "not ruled out",
+                                                p_in_words(test.p_value, geometric_replicates))}};
   return shape;
 }
 
@@ -76,7 +84,7 @@ namespace {
 
 json fit_or_refusal(const std::vector<double>& lapses, const FitRequest& request, double tau) {
   if (lapses.empty()) return {{"refused", "no lapse longer than 0"}};
-  const SortedSample sample(lapses);
+  const SortedSample sample(lapses, Values::continuous);
   const std::string why_not = obstacle(sample, request.xmin);
   if (!why_not.empty()) return {{"refused", why_not}};
   json fit = fit_as_json(sample, request);
@@ -84,7 +92,33 @@ json fit_or_refusal(const std::vector<double>& lapses, const FitRequest& request
   return fit;
 }
 
-json censored_fits(const RunGroup& group) {
+/// Whether the law meets the survival function of the arrests that it was fitted to, in words too.
+json held_against_survival(const std::vector<Observation>& arrests, const ClogScale& scale,
+                           const StatisticsRequest& request) {
+  const SurvivalTest test = test_survival(arrests, scale.threshold, request.p_value_replicates,
+                                          request.resampling.seed);
+  const std::string miss = fmt::format(
+      "misses the survival curve of the arrests by up to {:.1f} standard errors, most at {:.3g} tau",
+      test.standard_errors, test.at / scale.tau);
+  json result{{"ks", test.ks},
+              {"largest_miss_at", test.at},
+              {"standard_errors", test.standard_errors}};
+  if (request.p_value_replicates == 0) {
+    result["verdict"] = "not tested: " + miss;
+    return result;
+  }
+  const std::string p = p_in_words(test.p_value, request.p_value_replicates);
+  const bool ruled_out = test.p_value < ruled_out_below;
+  result["p_value"] = test.p_value;
+  result["p_value_error"] = test.p_error;
+  result["p_value_replicates"] = request.p_value_replicates;
+  result["ruled_out"] = ruled_out;
+  result["verdict"] = ruled_out ? fmt::format("power law ruled out ({}): {}", p, miss)
+                                : fmt::format("power law not ruled out ({})", p);
+  return result;
+}
+
+json censored_fits(const RunGroup& group, const StatisticsRequest& request) {
   std::vector<Observation> arrests;
   bool has_whole = false;
   for (const SeedRecord& record : group.records) {
@@ -95,11 +129,14 @@ json censored_fits(const RunGroup& group) {
   }
   if (!has_whole) return {{"refused", "no arrest that ended with a passage"}};
   const CensoredFit fit = fit_power_law_censored(arrests, group.scale.threshold);
-  return {{"alpha", fit.parameter},
-          {"sigma", fit.sigma},
-          {"n_complete", fit.complete},
-          {"n_censored", fit.censored},
-          {"exponential", as_json(power_law_against_exponential(arrests, group.scale.threshold))}};
+  json result{
+      {"alpha", fit.parameter},
+      {"sigma", fit.sigma},
+      {"n_complete", fit.complete},
+      {"n_censored", fit.censored},
+      {"exponential", as_json(power_law_against_exponential(arrests, group.scale.threshold))}};
+  result.update(held_against_survival(arrests, group.scale, request));
+  return result;
 }
 
 }  // namespace
@@ -135,7 +172,7 @@ json power_laws(const RunGroup& group, const StatisticsRequest& request) {
   fixed.xmin = group.scale.threshold;
   return {{"free", fit_or_refusal(lapses, fit, group.scale.tau)},
           {"fixed", fit_or_refusal(lapses, fixed, group.scale.tau)},
-          {"fixed_censored", censored_fits(group)}};
+          {"fixed_censored", censored_fits(group, request)}};
 }
 
 }  // namespace clog::postprocess

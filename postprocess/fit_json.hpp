@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "postprocess/confidence.hpp"
 #include "postprocess/goodness_of_fit.hpp"
 #include "postprocess/power_law.hpp"
 #include "postprocess/rival.hpp"
@@ -14,6 +15,9 @@ namespace clog::postprocess {
 /// A number, or null where it is not finite (JSON has no NaN).
 nlohmann::json number_or_null(double value);
 
+/// value, low, high (null where unknown), and the note if there is one.
+nlohmann::json as_json(const Estimate& estimate);
+
 /// What is fitted and how.
 struct FitRequest {
   std::optional<double> xmin;          ///< absent: found by the scan
@@ -21,7 +25,7 @@ struct FitRequest {
   std::uint64_t seed = 1;
 };
 
-/// alpha, xmin, sigma, n, n_tail, ks, ties, exponential {...}; p_value, p_value_error,
+/// discrete (whether the law is one on whole numbers), alpha, xmin, sigma, n, n_tail, ks, ties, exponential {...}; p_value, p_value_error,
 /// p_value_replicates, seed when asked; warning when the tail has fewer than 50 values. \throws
 /// Error as fit_power_law
 nlohmann::json fit_as_json(const SortedSample& sample, const FitRequest& request);

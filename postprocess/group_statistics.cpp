@@ -7,20 +7,15 @@
 
 #include "coupling/channel_geometry.hpp"
 #include "coupling/content_hash.hpp"
+#include "coupling/readable_scene.hpp"
 #include "postprocess/event_statistics.hpp"
 #include "postprocess/fit_json.hpp"
-#include "postprocess/totals.hpp"
+#include "postprocess/quantities.hpp"
 
 namespace clog::postprocess {
 namespace {
 
 using nlohmann::json;
-
-json as_json(const Estimate& estimate) {
-  return {{"value", number_or_null(estimate.value)},
-          {"low", number_or_null(estimate.low)},
-          {"high", number_or_null(estimate.high)}};
-}
 
 std::vector<std::array<Totals, 2>> halves_of(const RunGroup& group) {
   std::vector<std::array<Totals, 2>> halves;
@@ -61,16 +56,23 @@ json quantities_with_halves(const RunGroup& group, const StatisticsRequest& requ
   return all;
 }
 
+/// An exponent alone says nothing: the law it belongs to goes with it.
+void add_verdict(json& alpha, const json& fit) {
+  for (const char* key : {"p_value", "ruled_out", "verdict"})
+    if (fit.contains(key)) alpha[key] = fit.at(key);
+}
+
 json steady_state(const RunGroup& group, const StatisticsRequest& request) {
   const auto mean = [&](auto&& value) {
-    return as_json(bootstrap_over_seeds(
+    const Estimate known = bootstrap_over_seeds(
         group.records.size(),
         [&](const std::vector<std::size_t>& drawn) {
           double sum = 0;
           for (const std::size_t k : drawn) sum += value(group.records[k].steady);
           return sum / static_cast<double>(drawn.size());
         },
-        request.resampling));
+        request.resampling);
+    return as_json(is_spread_missing(known) ? without_interval(known) : known);
   };
   json steady{{"particles", mean([](const SteadyState& s) { return s.particles; })},
               {"packing_fraction", mean([](const SteadyState& s) { return s.packing_fraction; })},
@@ -132,14 +134,14 @@ json group_statistics(const RunGroup& group, const StatisticsRequest& request) {
                     {"file", std::filesystem::absolute(record.file).lexically_normal().string()},
                     {"start", record.window.start},
                     {"end", record.window.end},
-                    {"filling_time", record.filling_time},
+                    {"filling_time", number_or_null(record.filling_time)},
                     {"wall_time", number_or_null(record.wall_time)},
                     {"passages", record.passages},
                     {"while_off", record.while_off},
                     {"releases", record.releases}});
   }
   json result{
-      {"scene", group.scene_text},
+      {"scene", readable_scene(group.scene_text)},
       {"scene_hash", content_hash(group.scene_text)},
       {"geometry", geometry(group.scene)},
       {"protocol", group.scene.unclog.protocol == UnclogProtocol::release ? "release" : "none"},
@@ -153,6 +155,7 @@ json group_statistics(const RunGroup& group, const StatisticsRequest& request) {
       {"provenance", group.provenance},
       {"notes", notes(group)}};
   result.update(lapse_counts(group));
+  add_verdict(result["quantities"]["alpha_fixed"], result["power_law"]["fixed_censored"]);
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "coupling/require.hpp"
+#include "coupling/shown_text.hpp"
 
 namespace clog::postprocess {
 namespace {
@@ -44,9 +45,9 @@ std::vector<double> read_number_column(const std::filesystem::path& file) {
     double value = 0;
     const auto [end, status] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     require(status != std::errc::result_out_of_range, "{}:{}: {} is outside the range of a number",
-            file.string(), number, text);
+            file.string(), number, shown_text(text));
     require(status == std::errc{} && end == digits.data() + digits.size() && std::isfinite(value),
-            "{}:{}: '{}' is not a number (one finite number a line)", file.string(), number, text);
+            "{}:{}: '{}' is not a number (one finite number a line)", file.string(), number, shown_text(text));
     values.push_back(value);
   }
   require(!in.bad(), "{}: reading stopped by an error of the file system", file.string());

@@ -1,18 +1,17 @@
-// Maximum-likelihood fit of a continuous power law, x_min given or found (Clauset, Shalizi &
-// Newman).
+// Maximum-likelihood fit of a power law, continuous or on whole numbers as the sample is, x_min
+// given or found (Clauset, Shalizi & Newman).
 #pragma once
 
 #include <cstddef>
 #include <optional>
 #include <string>
 
-#include "postprocess/ks_distance.hpp"
 #include "postprocess/sorted_sample.hpp"
 
 namespace clog::postprocess {
 
 struct PowerLawFit {
-  double alpha = 0;        ///< exponent of the density p(x) ~ x^-alpha [-]
+  double alpha = 0;        ///< exponent of p(x) ~ x^-alpha, a density or a probability [-]
   double xmin = 0;         ///< lower end of the power law [unit of the data]
   double sigma = 0;        ///< standard error of alpha [-]
   double ks = 0;           ///< Kolmogorov-Smirnov distance of the tail [-]
@@ -26,21 +25,15 @@ inline constexpr std::size_t smallest_sample = 5;
 inline constexpr std::size_t rough_below = 50;
 
 /// In words what is done with equal values; goes into every output.
-inline constexpr const char* rule_for_ties =
-    "as Clauset's plfit: the empirical distribution climbs i/n (i = 0 ... n_tail - 1) through "
-    "equal values";
-
-/// Exponent of the tail that starts at index `first`.
-///   alpha = 1 + n [sum_i ln(x_i / x_min)]^-1
-/// \source Clauset, Shalizi & Newman 2009, SIAM Rev. 51:661, Eq. (3.1)
-PowerLawTail power_law_tail(const SortedSample& sample, std::size_t first, double xmin);
+const char* rule_for_ties(Values kind);
 
 /// Why this sample has no fit (with this x_min, if given), or nothing: for callers that go on
 /// without.
 std::string obstacle(const SortedSample& sample, std::optional<double> xmin);
 
-/// Fit of the values >= xmin.   sigma = (alpha - 1)/sqrt(n), Eq. (3.2)
-/// \throws Error with the obstacle: fewer than two values reach xmin, or all of those equal it
+/// Fit of the values >= xmin, see ParetoTail and ZetaTail.
+/// \throws Error with the obstacle: fewer than two values reach xmin, or all of those equal it;
+/// xmin is not positive, or not whole although the values are
 PowerLawFit fit_power_law(const SortedSample& sample, double xmin);
 
 /// Fit with the x_min, among all distinct values but the largest, whose tail has the smallest
@@ -52,5 +45,8 @@ PowerLawFit fit_power_law(const SortedSample& sample);
 /// Whether any x_min gives a distance below the limit: the question of the goodness-of-fit test,
 /// which stops at the first such x_min.
 bool some_tail_is_closer(const SortedSample& sample, double limit);
+
+/// The same for the one tail that starts at xmin; false where it has fewer than two values.
+bool tail_is_closer(const SortedSample& sample, double xmin, double limit);
 
 }  // namespace clog::postprocess

@@ -1,11 +1,15 @@
-// Checks the tools first, then runs the scripts.
-#include "coupling/source_folder.hpp"
+// Checks the tools first, then runs the scripts, then publishes what they drew.
 #include "postprocess/report.hpp"
 
 #include <cstdlib>
+#include <cstring>
 #include <sstream>
 
+#include "coupling/file_part.hpp"
+#include "coupling/publish_file.hpp"
 #include "coupling/require.hpp"
+#include "coupling/source_folder.hpp"
+#include "coupling/text_file.hpp"
 #include "postprocess/child_process.hpp"
 
 namespace clog::postprocess {
@@ -36,20 +40,70 @@ void require_modules(const std::string& python) {
           python, last_line(check.output));
 }
 
-/// Runs a script of the figures. \return the files that it says it wrote
-std::vector<fs::path> run_script(const std::string& name, const fs::path& from, const fs::path& out) {
+/// Where scripts write before anything has its name: a folder inside `out` that belongs to whoever
+/// holds the lock of the part it is named after. That lock is held by a script too that outlives
+/// its caller.
+class DrawingFolder {
+public:
+  explicit DrawingFolder(const fs::path& out)
+      : part_(made(out) / ".drawing"), path_(part_.path().string() + ".d") {
+    std::error_code failure;
+    fs::remove_all(path_, failure);
+    if (!failure) fs::create_directory(path_, failure);
+    require(!failure, "{}: cannot be made ({})", path_.string(), failure.message());
+  }
+  ~DrawingFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  DrawingFolder(const DrawingFolder&) = delete;
+  DrawingFolder& operator=(const DrawingFolder&) = delete;
+
+  const fs::path& path() const { return path_; }
+  int lock() const { return part_.descriptor(); }
+
+private:
+  static fs::path made(const fs::path& out) {
+    std::error_code failure;
+    fs::create_directories(out, failure);
+    require(!failure, "{}: cannot be made ({})", out.string(), failure.message());
+    return out;
+  }
+
+  FilePart part_;
+  fs::path path_;
+};
+
+std::string how_it_failed(const ChildResult& child) {
+  const std::string said = last_line(child.output);
+  if (child.status <= 128) return said;
+  return fmt::format("ended by signal {}, {}; last line: {}", child.status - 128,
+                     strsignal(child.status - 128), said);
+}
+
+/// Runs a script of the figures. \return the files that it wrote, in its order, under their final
+/// names
+std::vector<fs::path> run_script(const std::string& name, const fs::path& from,
+                                 const fs::path& out) {
   const std::string python = environment("CLOG_PYTHON", "/usr/bin/python3");
-  const fs::path scripts = environment("CLOG_FIGURES", (source_folder() / "postprocess/figures").string());
+  const fs::path scripts =
+      environment("CLOG_FIGURES", (source_folder() / "postprocess/figures").string());
   const fs::path script = scripts / name;
   require(fs::exists(script),
           "{}: not found (set CLOG_FIGURES to the folder of the figure scripts)", script.string());
   require_modules(python);
-  const ChildResult made = run_program({python, "-B", script.string(), from.string(), out.string()});
-  require(made.status == 0, "{} failed: {}", script.string(), last_line(made.output));
+  const DrawingFolder drawn(out);
+  const ChildResult made = run_program(
+      {python, "-B", script.string(), from.string(), drawn.path().string()}, drawn.lock());
+  require(made.status == 0, "{}: no figures ({} failed: {})", out.string(), script.string(),
+          how_it_failed(made));
   std::vector<fs::path> files;
   std::istringstream in(made.output);
   for (std::string line; std::getline(in, line);) {
-    if (line.starts_with("wrote ")) files.emplace_back(line.substr(6));
+    if (!line.starts_with("wrote ")) continue;
+    const fs::path file = line.substr(6);
+    files.push_back(out / file.filename());
+    publish_file(read_text_file(file), files.back());
   }
   return files;
 }

@@ -9,6 +9,7 @@ namespace clog::postprocess {
 /// Makes the figures (PNG and SVG) and report.html in `out` from statistics that already exist.
 /// The interpreter is /usr/bin/python3, where Debian's matplotlib is, unless CLOG_PYTHON names
 /// another; the scripts are those of the source tree unless CLOG_FIGURES names another folder.
+/// Each file gets its name when it is whole, the page as the last.
 /// \param statistics folder with stats.json and the tables
 /// \return the files made
 /// \throws Error when python, a module or a script is missing, or the scripts fail (their last

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "postprocess/censored.hpp"
+#include "postprocess/sorted_sample.hpp"
 
 namespace clog::postprocess {
 
@@ -23,5 +24,13 @@ struct RivalTest {
 /// \source Clauset, Shalizi & Newman 2009, SIAM Rev. 51:661, appendix C; Vuong 1989, Econometrica
 /// 57:307
 RivalTest power_law_against_exponential(const std::vector<Observation>& sample, double xmin);
+
+/// The same for whole numbers, both laws in their discrete forms:
+///   p(x) = x^-alpha / zeta(alpha, x_min)  against  p(x) = (1 - e^-rate) e^(-rate (x - x_min))
+/// \param alpha of the power law, at its maximum likelihood
+/// \throws Error when all values equal xmin, or none reaches it
+/// \source Clauset et al. 2009, table 2.1
+RivalTest discrete_power_law_against_exponential(const std::vector<double>& sample, double xmin,
+                                                 double alpha);
 
 }  // namespace clog::postprocess

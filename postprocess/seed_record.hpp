@@ -43,8 +43,8 @@ struct SeedRecord {
   std::vector<Lapse> lapses;
   std::vector<Burst> bursts;  ///< as the scene's unclog.protocol defines them
   SteadyState steady;
-  double filling_time =
-      0;  ///< measured (start = "empty") or as the solver says (start = "filled") [s]
+  double filling_time = 0;  ///< measured (start = "empty"), or as the solver says (start = "filled"),
+                            ///< NaN if it does not [s]
   double wall_time = std::numeric_limits<double>::quiet_NaN();  ///< if the solver says so [s]
 };
 

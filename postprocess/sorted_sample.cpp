@@ -8,11 +8,28 @@
 
 namespace clog::postprocess {
 
-SortedSample::SortedSample(std::vector<double> values) : value_(std::move(values)) {
+namespace {
+
+constexpr double laws_agree_from = 1000;
+
+bool is_whole(double x) { return std::floor(x) == x; }
+
+}  // namespace
+
+Values recognised(const std::vector<double>& values) {
+  const bool whole = std::ranges::all_of(values, is_whole);
+  const bool large = std::ranges::all_of(values, [](double x) { return x > laws_agree_from; });
+  return whole && !large ? Values::whole : Values::continuous;
+}
+
+SortedSample::SortedSample(std::vector<double> values, Values kind)
+    : kind_(kind), value_(std::move(values)) {
   require(!value_.empty(), "no values to fit (the sample is empty)");
   for (const double x : value_) {
     require(std::isfinite(x) && x > 0,
             "value {} (a power law needs positive finite values): remove it or shift the data", x);
+    require(kind == Values::continuous || is_whole(x),
+            "value {} (a discrete power law needs whole numbers)", x);
   }
   std::sort(value_.begin(), value_.end());
   logarithm_.resize(size());

@@ -1,11 +1,11 @@
 // Writes stats.json and the tables.
 #include "postprocess/statistics_files.hpp"
 
+#include "coupling/publish_file.hpp"
 #include "coupling/require.hpp"
 #include "postprocess/points_table.hpp"
 #include "postprocess/sweep_axis.hpp"
 #include "postprocess/tables.hpp"
-#include "postprocess/text_file.hpp"
 #include "postprocess/trend.hpp"
 
 namespace clog::postprocess {
@@ -15,7 +15,7 @@ constexpr int statistics_version = 1;
 
 /// Of every key that is not a pure number, wherever it stands.
 const nlohmann::json units{{"tau", "s"},         {"t_min", "s"},          {"longest", "s"},
-                           {"xmin", "s"},        {"rate", "1/s"},         {"start", "s"},
+                           {"xmin", "s"}, {"largest_miss_at", "s"},        {"rate", "1/s"},         {"start", "s"},
                            {"end", "s"},         {"filling_time", "s"},   {"wall_time", "s"},
                            {"neck_width", "m"},
                            {"neck_height", "m"}, {"channel_width", "m"},  {"channel_length", "m"},
@@ -48,9 +48,9 @@ nlohmann::json write_statistics(const StatisticsJob& job) {
   std::error_code status;
   std::filesystem::create_directories(job.out, status);
   require(!status, "{}: cannot be created ({})", job.out.string(), status.message());
-  for (const auto& [file, text] : tables_of(groups)) write_text_file(text, job.out / file);
-  write_text_file(points_table(statistics), job.out / "points.csv");
-  write_text_file(statistics.dump(1) + "\n", job.out / "stats.json");
+  for (const auto& [file, text] : tables_of(groups)) publish_file(text, job.out / file);
+  publish_file(points_table(statistics), job.out / "points.csv");
+  publish_file(statistics.dump(1) + "\n", job.out / "stats.json");
   return statistics;
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "postprocess/totals.hpp"
+#include "postprocess/quantities.hpp"
 
 namespace clog::postprocess {
 

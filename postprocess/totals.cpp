@@ -1,20 +1,27 @@
 // Adding up seeds, and the ratios.
 #include "postprocess/totals.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace clog::postprocess {
 namespace {
 
+double time_within(const Lapse& lapse, const Window& span) {
+  return std::max(0.0, std::min(lapse.start + lapse.duration, span.end) -
+                           std::max(lapse.start, span.start));
+}
+
 void add_lapses(Totals& totals, const SeedRecord& record, const ClogScale& scale,
                 const Window& span) {
   for (const Lapse& lapse : record.lapses) {
+    const bool is_arrest = lapse.duration >= scale.threshold;
+    if (is_arrest) totals.clogged_time += time_within(lapse, span);
     if (lapse.start < span.start || lapse.start >= span.end) continue;
     ++totals.passages;
-    if (lapse.duration >= scale.threshold) {
+    if (is_arrest) {
       ++totals.arrests;
       totals.censored += lapse.end == LapseEnd::passage ? 0 : 1;
-      totals.clogged_time += lapse.duration;
       totals.log_exposure += std::log(lapse.duration / scale.threshold);
     } else if (lapse.end == LapseEnd::passage) {
       ++totals.flowing_lapses;
@@ -92,67 +99,6 @@ Totals totals_of(const std::vector<SeedRecord>& records, const ClogScale& scale)
     sum = sum + totals_of(record, scale, {record.window.start, end});
   }
   return sum;
-}
-
-const std::vector<Quantity>& quantities() {
-  static const std::vector<Quantity> all{
-      {"mean_burst", "1", "<s>: passages per burst, over bursts of one or more",
-       [](const Totals& t) { return t.escaped / t.bursts; }},
-      {"mean_burst_with_zeros", "1", "<s> when a release that nothing follows counts as s = 0",
-       [](const Totals& t) { return t.escaped / (t.bursts + t.failed); }},
-      {"mean_burst_censored", "1",
-       "<s> by maximum likelihood, bursts that the end cut off included",
-       [](const Totals& t) { return (t.escaped + t.cut_off_escaped) / t.bursts; }},
-      {"mean_burst_memoryless", "1",
-       "<s> by maximum likelihood, first bursts and those that the end cut off included",
-       [](const Totals& t) { return all_escaped(t) / all_stops(t); }},
-      {"mean_burst_by_threshold", "1", "passages per lapse of T_min and more, whatever ended it",
-       [](const Totals& t) { return t.passages / t.arrests; }},
-      {"share_failed", "1", "share of the releases that no passage follows",
-       [](const Totals& t) { return t.failed / t.releases; }},
-      {"passages_while_off", "1", "passages per release while friction was off (not part of s)",
-       [](const Totals& t) { return t.while_off / t.releases; }},
-      {"flow_rate", "1/s", "passages per time, clogs included",
-       [](const Totals& t) { return t.passages / t.time; }},
-      {"flow_rate_flowing", "1/s", "passages per time within bursts",
-       [](const Totals& t) { return t.flowing_lapses / t.flowing_time; }},
-      {"share_clogged", "1", "share of the time spent in lapses of T_min and more",
-       [](const Totals& t) { return t.clogged_time / t.time; }},
-      {"alpha_fixed", "1", "power-law exponent of T >= T_min, censored arrests included",
-       [](const Totals& t) { return 1.0 + (t.arrests - t.censored) / t.log_exposure; }},
-      {"share_censored", "1", "share of the arrests that a release or the end of the run cut",
-       [](const Totals& t) { return t.censored / t.arrests; }},
-      {"share_permanent", "1", "share of the seeds that end in a clog of 5 tau or more",
-       [](const Totals& t) { return t.permanent / t.seeds; }},
-  };
-  return all;
-}
-
-Estimate estimate(const Quantity& quantity, const std::vector<Totals>& seeds,
-                  const Resampling& resampling) {
-  return bootstrap_over_seeds(
-      seeds.size(),
-      [&](const std::vector<std::size_t>& drawn) {
-        Totals sum;
-        for (const std::size_t k : drawn) sum = sum + seeds[k];
-        return quantity.value(sum);
-      },
-      resampling);
-}
-
-Estimate estimate_change(const Quantity& quantity, const std::vector<std::array<Totals, 2>>& halves,
-                         const Resampling& resampling) {
-  return bootstrap_over_seeds(
-      halves.size(),
-      [&](const std::vector<std::size_t>& drawn) {
-        Totals first, second;
-        for (const std::size_t k : drawn) {
-          first = first + halves[k][0];
-          second = second + halves[k][1];
-        }
-        return quantity.value(second) - quantity.value(first);
-      },
-      resampling);
 }
 
 }  // namespace clog::postprocess

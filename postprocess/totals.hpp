@@ -1,24 +1,22 @@
-// Sums that add up over seeds; every published number is a ratio of them.
+// Sums that add up over seeds; every published number is a ratio of them (quantities.hpp).
 #pragma once
 
-#include <array>
-#include <string>
 #include <vector>
 
-#include "postprocess/confidence.hpp"
 #include "postprocess/seed_record.hpp"
 
 namespace clog::postprocess {
 
 /// What a seed contributes within a span of its time. Bursts, lapses and arrests belong to the span
-/// in which they start, so that two halves add up to the whole.
+/// in which they start, their time to the one in which it passes, so that two halves add up to the
+/// whole.
 struct Totals {
   double seeds = 0;
   double time = 0;            ///< [s]
   double passages = 0;        ///< with friction on
   double flowing_lapses = 0;  ///< whole lapses below T_min
   double flowing_time = 0;    ///< their sum [s]
-  double clogged_time = 0;  ///< sum of the arrests, those cut by a release or the end included [s]
+  double clogged_time = 0;  ///< time in arrests, those cut by a release or the end included [s]
   double bursts = 0;        ///< counted ones with s >= 1
   double escaped = 0;       ///< sum of their s
   double cut_off_escaped = 0;  ///< sum of s over bursts that the end of the run cut off
@@ -50,25 +48,5 @@ double all_stops(const Totals& totals);
 double all_escaped(const Totals& totals);
 
 Totals operator+(const Totals& a, const Totals& b);
-
-/// One number of an ensemble: a ratio of totals, NaN where its denominator is 0.
-struct Quantity {
-  std::string key;
-  std::string unit;
-  std::string meaning;
-  double (*value)(const Totals&);
-};
-
-/// Everything that stats.json gives with an interval, in this order.
-const std::vector<Quantity>& quantities();
-
-/// Value of a quantity over an ensemble with its interval from resampled seeds.
-Estimate estimate(const Quantity& quantity, const std::vector<Totals>& seeds,
-                  const Resampling& resampling);
-
-/// Second half minus first half, seeds resampled in pairs: a quantity whose interval excludes 0
-/// ages.
-Estimate estimate_change(const Quantity& quantity, const std::vector<std::array<Totals, 2>>& halves,
-                         const Resampling& resampling);
 
 }  // namespace clog::postprocess

@@ -31,12 +31,6 @@ Estimate over_seeds(const json& numbers, const char* quantity) {
   return {or_nan(q.at("value")), or_nan(q.at("low")), or_nan(q.at("high"))};
 }
 
-json as_json(const Estimate& estimate) {
-  return {{"value", number_or_null(estimate.value)},
-          {"low", number_or_null(estimate.low)},
-          {"high", number_or_null(estimate.high)}};
-}
-
 json mean_burst(const Totals& totals, const json& numbers) {
   const auto stops = static_cast<std::size_t>(all_stops(totals));
   const auto passages = static_cast<std::size_t>(all_escaped(totals));

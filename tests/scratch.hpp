@@ -3,8 +3,10 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace clog {
 
@@ -29,6 +31,15 @@ public:
 private:
   std::filesystem::path path_;
 };
+
+/// Names of all that a folder holds, sorted.
+inline std::vector<std::string> files_in(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    names.push_back(entry.path().filename());
+  std::ranges::sort(names);
+  return names;
+}
 
 /// One for all tests of a process, gone when it ends.
 inline const std::filesystem::path& scratch_folder() {

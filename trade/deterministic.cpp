@@ -5,6 +5,7 @@
 
 #include "coupling/publish_file.hpp"
 #include "coupling/require.hpp"
+#include "coupling/run_record.hpp"
 
 namespace clog::trade {
 
@@ -58,7 +59,7 @@ Outcome move(const Scene& scene, const FlowGrid* flow) {
   for (std::size_t i = 0; i < last.id.size(); ++i)
     outcome.way[last.id[i]] = Vec3(&last.position[3 * i]) - start.at(last.id[i]);
   outcome.overlap = data.series.largest_overlap.back() / scene.particles.diameter;
-  outcome.particle_steps = data.provenance.at("particle_steps");
+  outcome.particle_steps = data.provenance.at(run_record::particle_steps);
   return outcome;
 }
 

@@ -133,7 +133,7 @@ json combine(const std::vector<json>& studies) {
   for (const json& study : studies)
     measured["studies"].push_back({{"diameter", study.at("diameter")}, {"reference", study.at("reference")}});
   for (const json& first : studies.at(0).at("settings")) {
-    json entry{{"name", first["name"]}, {"overrides", first["overrides"]}, {"gain", 1e300},
+    json entry{{"name", first["name"]}, {"overrides", first.value("overrides", json::array())}, {"gain", 1e300},
                {"error", 0.0}, {"hidden", 0.0}, {"step_over_limit", 0.0}};
     const bool everywhere = std::all_of(studies.begin(), studies.end(), [&](const json& study) {
       const auto& all = study.at("settings");
@@ -144,7 +144,7 @@ json combine(const std::vector<json>& studies) {
                                      [&](const json& s) { return s["name"] == study.at("reference"); });
       if (found < best) return true;
       if (found == all.end() || !found->contains("error") || (*found)["kind"] != "numerics" ||
-          (*found)["overrides"] != first["overrides"])
+          (*found)["overrides"] != entry["overrides"])
         return false;
       if (study["reference"] == studies[0]["reference"])
         entry["gain"] = std::min(entry["gain"].get<double>(), (*found)["gain"].get<double>());

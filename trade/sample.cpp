@@ -7,7 +7,10 @@
 #include <map>
 #include <numeric>
 
+#include "coupling/require.hpp"
 #include "coupling/run_file.hpp"
+#include "coupling/run_record.hpp"
+#include "postprocess/confidence.hpp"
 #include "postprocess/run_groups.hpp"
 
 namespace clog::trade {
@@ -48,12 +51,16 @@ void add_run(Sample& sample, const fs::path& file) {
     sample.pieces.push_back(piece);
   }
   ++sample.runs;
-  sample.simulated += run.end_time + run.provenance.at("fill_time_s").get<double>();
-  sample.particle_steps += run.provenance.at("particle_steps").get<double>();
-  if (const double limit = run.provenance.value("contact_limit_s", 0.0); limit > 0)
+  const auto recorded = [&](const char* name) {
+    require(run.provenance.contains(name), "{}: its record has no {} (made by another program?)", file.string(), name);
+    return run.provenance[name].get<double>();
+  };
+  sample.simulated += run.end_time + recorded(run_record::fill_time);
+  sample.particle_steps += recorded(run_record::particle_steps);
+  if (run.provenance.contains(run_record::contact_limit) && recorded(run_record::contact_limit) > 0)
     sample.step_over_limit =
-        std::max(sample.step_over_limit, run.provenance.at("time_step_s").get<double>() / limit);
-  sample.wall_seconds += run.provenance.at("wall_time_s").get<double>();
+        std::max(sample.step_over_limit, recorded(run_record::time_step) / recorded(run_record::contact_limit));
+  sample.wall_seconds += recorded(run_record::wall_time);
 }
 
 template <class Member>

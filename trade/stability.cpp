@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "coupling/publish_file.hpp"
 #include "coupling/require.hpp"
 #include "dem/initial_particles.hpp"
 #include "dem/physics/dimensionless.hpp"
@@ -94,7 +94,8 @@ public:
       : point_(point),
         file_(std::filesystem::temp_directory_path() /
               fmt::format("clogflow_extreme_{}_{}.csv", getpid(), point.number)) {
-    std::ofstream(file_) << column(point, overlap);
+    // Never through a link that lies under this name.
+    publish_file(column(point, overlap), file_);
   }
   ~Column() {
     std::error_code ignored;

@@ -104,8 +104,10 @@ def estimate(entry, digits=3):
         return f"> {number(entry['low'], digits)}"
     if entry.get("status") == "upper bound":
         return f"< {number(entry['high'], digits)}"
+    if entry["value"] is None and entry["high"] is not None:
+        return f"< {number(entry['high'], digits)}"
     if entry["value"] is None:
-        return "-"
+        return "-" if entry["low"] is None else f"> {number(entry['low'], digits)}"
     if entry["low"] is None or entry["high"] is None:
         return number(entry["value"], digits)
     return f"{number(entry['value'], digits)} [{number(entry['low'], digits)}, {number(entry['high'], digits)}]"

@@ -8,9 +8,26 @@ import style
 from stats_files import value
 
 
+def draw_geometric(axes, rows, mean, verdict):
+    """Share of each bin under P(s) = p (1 - p)^(s-1), p = 1/<s>: the law of a memoryless stopping."""
+    go_on = 1 - 1 / mean
+    low = np.array([row["s_from [1]"] for row in rows])
+    high = np.array([row["s_to [1]"] for row in rows])
+    x = np.array([row["s/<s> [1]"] for row in rows])
+    density = (go_on ** (low - 0.5) - go_on ** (high - 0.5)) / (high - low) * mean
+    axes.plot(x, density, color=style.GREY, ls="--", zorder=1, label=f"geometric law: {verdict}")
+
+
+def label_of(group, verdict):
+    mean, low, high = value(group, "mean_burst")
+    spread = f" [{low:.3g}, {high:.3g}]" if np.isfinite(low) else ""
+    return f"{style.plain(group['label'])}: $\\langle s\\rangle$ = {mean:.3g}{spread}, {group['bursts']['counted']} bursts{verdict}"
+
+
 def draw_distribution(axes, statistics):
     colours = style.group_colours(len(statistics.groups))
     largest, smallest, top, empty = 4.0, 0.05, 1.0, True
+    single = len(statistics.groups) == 1
     for index, group in enumerate(statistics.groups):
         rows = [row for row in statistics.rows("burst_distribution", index) if row["count"] > 0]
         if not rows:
@@ -21,15 +38,17 @@ def draw_distribution(axes, statistics):
         error = np.array([row["error [1]"] for row in rows])
         # A single count has an error as large as itself: on a log axis its bar ends at half of it.
         below = np.minimum(error, 0.5 * p)
-        mean, low, high = value(group, "mean_burst")
-        spread = f" [{low:.3g}, {high:.3g}]" if np.isfinite(low) else ""
+        law = group["bursts"]["geometric"]
+        if single:
+            draw_geometric(axes, statistics.rows("burst_distribution", index), value(group, "mean_burst")[0], law["verdict"])
         axes.errorbar(x, p, yerr=[below, error], fmt=style.MARKERS[index % len(style.MARKERS)], ms=4, lw=0.8, capsize=0,
                       color=colours[index], mec="white", mew=0.4,
-                      label=f"{group['label']}: $\\langle s\\rangle$ = {mean:.3g}{spread}, "
-                            f"{group['bursts']['counted']} bursts")
+                      label=label_of(group, "\ngeometric law ruled out" if law["ruled_out"] and not single else ""))
         largest, smallest, top = max(largest, x.max() * 1.08), min(smallest, 0.5 * p.min()), max(top, p.max())
-    x = np.linspace(0, largest, 100)
-    axes.plot(x, np.exp(-x), color=style.GREY, ls="--", zorder=1, label=r"exponential $e^{-s/\langle s\rangle}$")
+    if not single:
+        x = np.linspace(0, largest, 100)
+        axes.plot(x, np.exp(-x), color=style.GREY, ls="--", zorder=1,
+                  label=r"$e^{-s/\langle s\rangle}$: geometric law at large $\langle s\rangle$")
     axes.set_yscale("log")
     axes.set_xlim(0, largest)
     axes.set_ylim(max(smallest, 1e-5), 2 * top)

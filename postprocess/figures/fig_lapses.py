@@ -6,6 +6,7 @@ import numpy as np
 import fig_trend
 import style
 
+RULED_OUT_BELOW = 0.1  # p-value, as Clauset et al.
 FEWEST_STEPS = 3       # arrests that must have ended by themselves for a survival function to mean anything
 SHORTEST_SHOWN = 1e-3  # T/tau; below it two particles cross the plane side by side
 
@@ -28,7 +29,7 @@ def draw_density(axes, statistics):
         error = np.array([row["error [1]"] for row in rows])
         axes.errorbar(x, p, yerr=[np.minimum(error, 0.5 * p), error], fmt=style.MARKERS[index % len(style.MARKERS)], ms=3.6, lw=0.7,
                       color=colours[index], mec="white", mew=0.3,
-                      label=survival_label(group) if is_crowded(statistics) else group["label"])
+                      label=survival_label(group) if is_crowded(statistics) else style.plain(group["label"]))
         draw_fits(axes, group, colours[index], x.max(), single)
         shown += [v for t, v in zip(x, p) if t >= SHORTEST_SHOWN]
     axes.set_xscale("log")
@@ -60,7 +61,8 @@ def draw_fits(axes, group, colour, largest, single):
         xmin, alpha = fit["xmin_over_tau"], fit["alpha"]
         x = np.geomspace(xmin, max(largest * 1.2, 2 * xmin), 50)
         share = fit["n_tail"] / fit["n"]
-        label = f"{names[key]}: $\\alpha$ = {alpha:.2f} ± {fit['sigma']:.2f}"
+        ruled_out = "\nruled out (p = {:.2g})".format(fit["p_value"]) if fit.get("p_value", 1) < RULED_OUT_BELOW else ""
+        label = f"{names[key]}: $\\alpha$ = {alpha:.2f} ± {fit['sigma']:.2f}{ruled_out}"
         axes.plot(x, share * (alpha - 1) / xmin * (x / xmin) ** -alpha, line, color=fit_colour, lw=1.3, zorder=3,
                   label=label if single else None)
 
@@ -108,7 +110,7 @@ def counts(group):
 
 
 def survival_label(group):
-    return "{}: {} arrests, {} censored".format(group["label"], *counts(group))
+    return "{}: {} arrests, {} censored".format(style.plain(group["label"]), *counts(group))
 
 
 def missing_survival(statistics):
@@ -124,8 +126,9 @@ def draw_laws(axes, group, x, single):
         return
     tau, t_min = group["tau"], group["t_min"]
     grid = np.geomspace(t_min / tau, x.max() * 1.1, 100)
+    misfit = "\nruled out: misses by {:.1f} standard errors".format(fit["standard_errors"]) if fit.get("ruled_out") else ""
     axes.plot(grid, (grid * tau / t_min) ** (1 - fit["alpha"]), "--", color=style.INK, lw=1.2,
-              label=f"power law, $\\alpha$ = {fit['alpha']:.2f} ± {fit['sigma']:.2f}")
+              label=f"power law, $\\alpha$ = {fit['alpha']:.2f} ± {fit['sigma']:.2f}{misfit}")
     axes.plot(grid, np.exp(-fit["exponential"]["rate"] * (grid * tau - t_min)), ":", color=style.GREY, lw=1.4,
               label=f"exponential (likelihood ratio: {fit['exponential']['favoured']})")
 

@@ -52,7 +52,7 @@ def draw(group, folder, name):
     panels[2].set_ylabel(r"porosity $\epsilon$ [1]")
     panels[2].set_xlabel(r"time $t/\tau$ [1]")
     panels[2].margins(x=0)
-    panels[0].set_title(f"{group['label']}   (thin: {len(runs)} seeds, thick: mean)")
+    panels[0].set_title(f"{style.plain(group['label'])}   (thin: {len(runs)} seeds, thick: mean)")
     figure.align_ylabels()
     return style.save(figure, folder, name)
 

@@ -73,7 +73,7 @@ def make_sweep(statistics, folder):
         draw_row(axes, run, row, group["tau"], group["runs"][0]["end"] / group["tau"])
     axes.set_xlim(0, np.median([group["runs"][0]["end"] / group["tau"] for group in groups]))
     axes.set_ylim(len(groups) - 0.4, -0.6)
-    axes.set_yticks(range(len(groups)), [group["label"] for group in groups])
+    axes.set_yticks(range(len(groups)), [style.plain(group["label"]) for group in groups])
     axes.tick_params(axis="y", length=0)
     axes.set_xlabel(r"time $t/\tau$ [1]")
     key(axes, released)
@@ -88,7 +88,7 @@ def make(statistics, folder):
                                   gridspec_kw={"height_ratios": [n + 1 for n in rows]})
     released = False
     for axes, group in zip(panels[:, 0], groups):
-        released |= draw_group(axes, group, group["label"])
+        released |= draw_group(axes, group, style.plain(group["label"]))
     panels[-1, 0].set_xlabel(r"time $t/\tau$ [1]")
     key(panels[0, 0], released)
     paths = make_sweep(statistics, folder) if len(groups) > 1 else []

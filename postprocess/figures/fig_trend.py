@@ -16,8 +16,8 @@ class Variable:
         self.is_ratio = variable["name"] == "D/d"
         self.numeric = variable["numeric"]
         unit, self.scale = DISPLAY.get(variable["unit"], (variable["unit"], 1.0)) if self.numeric else ("", 1.0)
-        self.name = "neck-to-particle ratio $D/d$ [1]" if self.is_ratio else f"{variable['name']} [{unit}]".removesuffix(" []")
-        self.words = {p["x"]: p["values"].get(variable["key"], "") for p in trend["points"]}
+        self.name = "neck-to-particle ratio $D/d$ [1]" if self.is_ratio else style.plain(f"{variable['name']} [{unit}]".removesuffix(" []"))
+        self.words = {p["x"]: style.plain(p["values"].get(variable["key"], "")) for p in trend["points"]}
 
     def label(self, axes, name=None):
         axes.set_xlabel(name or self.name)
@@ -83,7 +83,7 @@ def draw(axes, statistics, quantity, transform, symbol):
         mine = [p for p in trend["points"] if p["series"] == index]
         fitted = [transform(p["x"]) for p in mine if p[quantity]["status"] == "measured"]
         if series["label"]:
-            axes.plot([], [], "o", color=colour, label=series["label"])
+            axes.plot([], [], "o", color=colour, label=style.plain(series["label"]))
         draw_law(axes, series, fitted, quantity, variable.scale, colour, symbol)
     return variable
 

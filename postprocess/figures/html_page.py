@@ -6,12 +6,15 @@ import json
 from pathlib import Path
 from string import Template
 
+RULED_OUT_BELOW = 0.1  # p-value, as Clauset et al.
+ROUGH_BELOW = 50       # values in a tail, ibid.
+
 CAPTIONS = {
     "snapshots": "A burst: the arch before it, the burst, and the arch that ends it. Circles are particles seen along z, "
                  "those in front on top, coloured by speed.",
     "spatiotemporal": "Passages through the neck, one row a seed. Each passage is a black bar of width τ = d/v; grey: nothing passes.",
     "spatiotemporal_sweep": "The first seed of every point, as in the paper's figure 3: passages through the neck over the median length of these runs.",
-    "bursts": "Burst sizes over their mean, with the counting error. Dashed: exponential law of a memoryless clogging. In a sweep, "
+    "bursts": "Burst sizes over their mean, with the counting error. Dashed: geometric law of a memoryless clogging. In a sweep, "
               "right: the mean, first bursts and those cut off by the end included, with its 95 % interval; a triangle stands on the lower bound "
               "of a point without a clog; dashed: fitted law.",
     "lapses": "a: lapses between passages and the power laws fitted to them (Clauset, Shalizi & Newman); dotted: clog threshold; "
@@ -23,26 +26,77 @@ CAPTIONS = {
 }
 
 
+class Markup(str):
+    """Text that is HTML already; everything else is escaped where it enters a table."""
+
+
+def escaped(text):
+    return text if isinstance(text, Markup) else html.escape(str(text))
+
+
+def quiet(text):
+    return Markup(f"<span class=quiet>{escaped(text)}</span>")
+
+
+def marked(text, mark):
+    return Markup(f'{escaped(text)} <span class="ages">{escaped(mark)}</span>')
+
+
+def note(text):
+    return Markup(f'<p class="note">{escaped(text)}</p>')
+
+
 def number(value):
-    return "–" if value is None else f"{value:.4g}"
+    if value is None:
+        return "–"
+    return f"{value:.4g}" if isinstance(value, (int, float)) else str(value)
 
 
 def interval(entry):
+    """Value with its interval; where something is not known, a bound or the reason in its place."""
+    why = entry.get("note", "")
+    low, high = number(entry["low"]), number(entry["high"])
     if entry["value"] is None:
-        return "–"
+        known = f"< {high} " if entry["high"] is not None else f"> {low} " if entry["low"] is not None else ""
+        return Markup(escaped(known) + quiet(why or "unknown"))
     if entry["low"] is None:
-        return number(entry["value"])
-    return f"{number(entry['value'])} <span class=quiet>[{number(entry['low'])}, {number(entry['high'])}]</span>"
+        return Markup(f"{escaped(number(entry['value']))} {quiet(why)}")
+    return Markup(f"{escaped(number(entry['value']))} {quiet(f'[{low}, {high}]' + (f' {why}' if why else ''))}")
+
+
+def headline(entry):
+    """The same with what stands against it: a law that is ruled out, a run that drifts."""
+    text = interval(entry)
+    if entry.get("ruled_out"):
+        text = marked(text, entry["verdict"])
+    elif "verdict" in entry:
+        text = Markup(f"{text} {quiet(entry['verdict'])}")
+    return marked(text, "drifts: the halves differ") if entry.get("ages") else text
 
 
 def table(head, rows):
-    cells = "".join(f"<th>{cell}</th>" for cell in head)
-    body = "".join("<tr>" + "".join(f"<td>{cell}</td>" for cell in row) + "</tr>" for row in rows)
-    return f'<div class="scroll"><table><thead><tr>{cells}</tr></thead><tbody>{body}</tbody></table></div>'
+    cells = "".join(f"<th>{escaped(cell)}</th>" for cell in head)
+    body = "".join("<tr>" + "".join(f"<td>{escaped(cell)}</td>" for cell in row) + "</tr>" for row in rows)
+    return Markup(f'<div class="scroll"><table><thead><tr>{cells}</tr></thead><tbody>{body}</tbody></table></div>')
+
+
+NOT_OF_THIS_PROTOCOL = "no release"
+
+
+def applies(key, groups):
+    return any(g["quantities"][key].get("note") != NOT_OF_THIS_PROTOCOL for g in groups)
+
+
+def memoryless(group):
+    """Whether the burst sizes have the law of a memoryless stopping."""
+    law = group["bursts"].get("geometric")
+    if law is None:
+        return quiet("no burst that began and ended within a run")
+    return marked("", law["verdict"]) if law["ruled_out"] else law["verdict"]
 
 
 def summary(groups):
-    head = ["", *[html.escape(group["label"]) for group in groups]]
+    head = ["", *[group["label"] for group in groups]]
     rows = [["seeds", *[len(g["runs"]) for g in groups]],
             ["simulated time [s]", *[number(sum(r["end"] - r["start"] for r in g["runs"])) for g in groups]],
             ["τ [ms]", *[number(g["tau"] * 1e3) for g in groups]],
@@ -52,16 +106,18 @@ def summary(groups):
              *["{} ({}, {})".format(sum(g["arrests"].values()), g["arrests"]["ended_by_release"],
                                     g["arrests"]["ended_by_end_of_run"]) for g in groups]]]
     for key, entry in groups[0]["quantities"].items():
-        if all(g["quantities"][key]["value"] is None for g in groups):
+        if not applies(key, groups):
             continue
         unit = "" if entry["unit"] == "1" else f" [{entry['unit']}]"
-        rows.append([html.escape(entry["meaning"]) + unit, *[interval(g["quantities"][key]) for g in groups]])
+        rows.append([entry["meaning"] + unit, *[headline(g["quantities"][key]) for g in groups]])
+    rows.append(["geometric law of the burst sizes", *[memoryless(g) for g in groups]])
     rows.append(["particles, steady", *[interval(g["steady"]["particles"]) for g in groups]])
     rows.append(["packing fraction, steady", *[interval(g["steady"]["packing_fraction"]) for g in groups]])
     for strip in range(max(len(g["steady"]["porosity"]) for g in groups)):
         rows.append([f"porosity of strip {strip + 1}, steady",
                      *[interval(g["steady"]["porosity"][strip]) if strip < len(g["steady"]["porosity"]) else "–" for g in groups]])
-    return table(head, rows) + '<p class="quiet">In brackets: 95 % bootstrap interval over seeds.</p>'
+    return table(head, rows) + ('<p class="quiet">In brackets: 95 % bootstrap interval over seeds, unless another is named. '
+                               "A law is called ruled out below p = 0.1.</p>")
 
 
 def halves(groups):
@@ -71,9 +127,13 @@ def halves(groups):
             if "first_half" not in entry or entry["change"]["value"] is None:
                 continue
             change = interval(entry["change"])
-            rows.append([html.escape(f"{group['label']}: {entry['meaning']}"), number(entry["first_half"]["value"]),
-                         number(entry["second_half"]["value"]), f'<span class="ages">{change}</span>' if entry["ages"] else change])
+            rows.append([f"{group['label']}: {entry['meaning']}", number(entry["first_half"]["value"]),
+                         number(entry["second_half"]["value"]), Markup(f'<span class="ages">{change}</span>') if entry["ages"] else change])
     return table(["", "first half", "second half", "change"], rows)
+
+
+def size(n):
+    return marked(n, "rough") if n < ROUGH_BELOW else n
 
 
 def fits(groups):
@@ -86,13 +146,16 @@ def fits(groups):
                 refused.append(f"{group['label']}, {name}: {fit['refused']}")
                 continue
             rival = fit["exponential"]
-            rows.append([html.escape(f"{group['label']}, {name}"), f"{fit['alpha']:.3f} ± {fit['sigma']:.3f}",
-                         number(fit.get("xmin_over_tau", group["t_min"] / group["tau"])),
-                         fit.get("n_tail", fit.get("n_complete")), number(fit.get("ks")), number(fit.get("p_value")),
+            censored = key == "fixed_censored"
+            p = fit.get("p_value")
+            rows.append([f"{group['label']}, {name}", f"{fit['alpha']:.3f} ± {fit['sigma']:.3f}",
+                         number(group["t_min"] / group["tau"] if censored else fit["xmin_over_tau"]),
+                         size(fit["n_complete"] if censored else fit["n_tail"]), number(fit["ks"]),
+                         "not tested" if p is None else marked(number(p), "ruled out") if p < RULED_OUT_BELOW else number(p),
                          f"{rival['normalized_ratio']:+.2f} (p = {rival['p_value']:.2g}): {rival['favoured']}"])
     text = table(["", "α", "T_min/τ", "n", "KS distance", "p (power law)", "likelihood ratio to the exponential"], rows) if rows else ""
-    text += "".join(f'<p class="note">Not fitted: {html.escape(line)}</p>' for line in refused)
-    return text + ('<p class="quiet">p: share of power-law samples that lie further from their fit than the data; below 0.1 the '
+    text += "".join(note(f"Not fitted: {line}") for line in refused)
+    return text + ('<p class="quiet">n: values in the tail; rough: fewer than 50. p: share of power-law samples that lie further from their fit than the data; below 0.1 the '
                    "power law is ruled out. Likelihood ratio: positive favours the power law, negative the exponential; undecided "
                    "when its own p exceeds 0.1.</p>")
 
@@ -104,27 +167,28 @@ def figures(paths):
             continue
         caption = CAPTIONS.get(path.stem) or CAPTIONS.get(path.stem.split("_")[0], "")
         data = base64.b64encode(path.read_bytes()).decode()
-        parts.append(f'<figure><img alt="{path.stem}" src="data:image/png;base64,{data}">'
-                     f"<figcaption>{html.escape(caption)} ({path.name}, {path.stem}.svg)</figcaption></figure>")
+        parts.append(f'<figure><img alt="{escaped(path.stem)}" src="data:image/png;base64,{data}">'
+                     f"<figcaption>{escaped(f'{caption} ({path.name}, {path.stem}.svg)')}</figcaption></figure>")
     return "\n".join(parts)
 
 
 def bounded(entry):
     bound = {"lower bound": f"> {number(entry['low'])}", "upper bound": f"< {number(entry['high'])}"}
-    return bound.get(entry["status"], interval(entry))
+    known = bound.get(entry["status"])
+    return known or ("–" if entry["value"] is None else interval(entry))
 
 
 def law(series, quantity, symbol, labels):
     """A fitted law in a row: x, b, ln A, how well it fits, what was not fitted."""
     fit = series[quantity]
-    name = symbol + (f" ({html.escape(series['label'])})" if series["label"] else "")
+    name = symbol + (f" ({series['label']})" if series["label"] else "")
     if "refused" in fit:
-        return [name, html.escape(fit.get("x", "")), "–", "–", "–", "–", "not fitted: " + html.escape(fit["refused"])]
-    out = [f"{html.escape(labels[o['group']])}: {o['status']}" + ("" if "agrees" not in o else ", kept" if o["agrees"] else ", <b>broken</b>")
+        return [name, fit.get("x", ""), "–", "–", "–", "–", "not fitted: " + fit["refused"]]
+    out = [escaped(f"{labels[o['group']]}: {o['status']}") + ("" if "agrees" not in o else ", kept" if o["agrees"] else ", <b>broken</b>")
            for o in fit["left_out"]]
-    return [name, html.escape(fit["x"]), interval(fit["b"]), interval(fit["ln_A"]),
+    return [name, fit["x"], interval(fit["b"]), interval(fit["ln_A"]),
             f"{fit['chi_squared']:.3g} / {fit['degrees_of_freedom']} (p = {fit['p_value']:.2g})", number(fit["extra_scatter"]),
-            "; ".join(out) or "–"]
+            Markup("; ".join(out) or "–")]
 
 
 def sweep(statistics):
@@ -135,41 +199,44 @@ def sweep(statistics):
     points = []
     for point in trend["points"]:
         mean, alpha = point["mean_burst"], point["alpha"]
-        points.append([html.escape(statistics.groups[point["group"]]["label"]), *[html.escape(point["values"][k]) for k in trend["keys"]],
-                       mean["stops"], mean["passages"], bounded(mean), alpha["ended"], alpha["cut"], bounded(alpha), alpha["status"]])
-    head = ["", *map(html.escape, trend["keys"]), "clogs", "passages", "⟨s⟩", "arrests that ended", "arrests cut", "α", "status of α"]
+        group = statistics.groups[point["group"]]
+        ruled_out = alpha["value"] is not None and group["quantities"]["alpha_fixed"].get("ruled_out")
+        points.append([group["label"], *[point["values"][k] for k in trend["keys"]],
+                       mean["stops"], mean["passages"], bounded(mean), alpha["ended"], alpha["cut"], bounded(alpha),
+                       marked(alpha["status"], "power law ruled out") if ruled_out else alpha["status"]])
+    head = ["", *trend["keys"], "clogs", "passages", "⟨s⟩", "arrests that ended", "arrests cut", "α", "status of α"]
     laws = [law(series, quantity, symbol, [g["label"] for g in statistics.groups]) for series in trend["series"]
             for quantity, symbol in (("mean_burst", "⟨s⟩ = A exp(b x)"), ("alpha", "α = A exp(b x)"))]
-    rivals = [f"{html.escape(r['x'])}: χ² = {r['chi_squared']:.3g}" for series in trend["series"] for r in series["mean_burst"].get("rivals", [])]
-    missing = trend.get("without_runs", [])
+    rivals = [escaped(f"{r['x']}: χ² = {r['chi_squared']:.3g}") for series in trend["series"] for r in series["mean_burst"].get("rivals", [])]
+    missing = trend["without_runs"]
     return ("<h2>Along the sweep</h2>" + table(head, points) +
             table(["law", "x", "b", "ln A", "χ² / degrees of freedom", "extra scatter of the logarithm", "not fitted: bound kept or broken"], laws) +
             (f'<p class="quiet">ln⟨s⟩ as a straight line in other variables: {"; ".join(rivals)}.</p>' if rivals else "") +
             '<p class="quiet">Here ⟨s⟩ counts every burst: passages per clog, the first bursts and those that the end cut off '
             "included. Intervals (95 %): the wider of the one over seeds and the exact one of the counts. Weights of the fits: these errors and an "
             "extra scatter, if the law misses the points by more than them.</p>" +
-            "".join(f'<p class="note">{html.escape(name)}: no runs yet</p>' for name in missing))
+            "".join(note(f"{name}: no runs yet") for name in missing))
 
 
 def provenance(groups):
     parts = []
     for group in groups:
-        parts.append(f"<h3>{html.escape(group['label'])}</h3><details><summary>effective scene ({group['scene_hash']})</summary>"
-                     f"<pre>{html.escape(group['scene'])}</pre></details>"
+        parts.append(f"<h3>{escaped(group['label'])}</h3><details><summary>effective scene ({escaped(group['scene_hash'])})</summary>"
+                     f"<pre>{escaped(group['scene'])}</pre></details>"
                      f"<details><summary>provenance of the first run</summary>"
-                     f"<pre>{html.escape(json.dumps(group['provenance'], indent=1))}</pre></details>")
+                     f"<pre>{escaped(json.dumps(group['provenance'], indent=1))}</pre></details>")
     return "\n".join(parts)
 
 
 def write(statistics, paths, folder):
     groups = statistics.groups
     template = Template((Path(__file__).parent / "report.html").read_text(encoding="utf-8"))
-    notes = [f"{g['label']}: {note}" for g in groups for note in g["notes"]]
+    notes = [f"{g['label']}: {line}" for g in groups for line in g["notes"]]
     title = groups[0]["label"] if len(groups) == 1 else f"sweep of {len(groups)} scenes"
     page = template.substitute(
-        title=html.escape(title),
-        subtitle=f"clogflow {statistics.data['program']}, {sum(len(g['runs']) for g in groups)} runs",
-        notes="".join(f'<p class="note">{html.escape(note)}</p>' for note in notes),
+        title=escaped(title),
+        subtitle=escaped(f"clogflow {statistics.data['program']}, {sum(len(g['runs']) for g in groups)} runs"),
+        notes="".join(map(note, notes)),
         summary=summary(groups), sweep=sweep(statistics), figures=figures(paths), halves=halves(groups), fits=fits(groups),
         provenance=provenance(groups))
     target = Path(folder) / "report.html"

@@ -48,6 +48,11 @@ def legend_entries(axes):
     return [handles[k] for k in order], [labels[k] for k in order]
 
 
+def plain(text):
+    """Foreign text for a label: a dollar sign would start mathematics."""
+    return str(text).replace("$", r"\$")
+
+
 def legend(axes, **where):
     handles, labels = legend_entries(axes)
     if handles:

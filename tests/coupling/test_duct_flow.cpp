@@ -59,5 +59,13 @@ TEST(DuctFlow, RefusesADuctWithoutASide) {
   EXPECT_THAT(refusal([] { DuctFlow(0, 1); }), testing::HasSubstr("both sides must be positive"));
 }
 
+// F. M. White, Viscous Fluid Flow: f Re = 56.91 for a square, 96 for two plates, with the hydraulic diameter D:
+// dp/dx = f Re mu U / (2 D^2).
+TEST(DuctFlow, ResistanceOfASquareAndOfTwoPlates) {
+  EXPECT_NEAR(DuctFlow(1, 1).resistance(), 56.91 / 2, 0.003);
+  EXPECT_NEAR(DuctFlow(1e5, 1).resistance(), 12, 1e-3);
+  EXPECT_DOUBLE_EQ(DuctFlow(4, 1).resistance(), DuctFlow(1, 4).resistance());
+}
+
 }  // namespace
 }  // namespace clog

@@ -2,12 +2,14 @@
 #include <cmath>
 #include <numbers>
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include "coupling/channel_shape.hpp"
 #include "coupling/duct_flow.hpp"
 #include "coupling/flow_reach.hpp"
+#include "coupling/straight_flux.hpp"
 #include "tests/coupling/flow_scene.hpp"
+#include "tests/coupling/refusal.hpp"
 
 namespace clog {
 namespace {
@@ -53,6 +55,69 @@ TEST(FlowReach, ExpectedIsOfTheSlowestSymmetricMode) {
   // 400 um / (2 pi) ln 100, and nothing where all is tolerated.
   EXPECT_NEAR(expected_reach(flow_scene(), 0.01), 4e-4 / (2 * std::numbers::pi) * 4.60517, 1e-9);
   EXPECT_EQ(expected_reach(flow_scene(), 1), 0);
+}
+
+TEST(StraightFlux, IsExactForAParabolaWhereverItsWallsAre) {
+  // u = s (10 - s) from s = 0 to 10: 500 / 3.
+  for (const double first : {0.01, 0.3, 0.5, 1.0}) {
+    std::vector<double> values;
+    double s = first;
+    for (; s < 10; s += 1) values.push_back(s * (10 - s));
+    EXPECT_NEAR(integral_between_walls(values, first, 10 - (s - 1)), 500.0 / 3, 1e-9) << first;
+  }
+}
+
+/// Developed flow of the scene before the narrowing, times a wave along x; nothing from the
+/// narrowing on.
+FlowGrid wavering_flow(const Scene& scene, double amplitude) {
+  FlowGrid grid;
+  grid.points = {40, 80, 20};
+  grid.spacing = 5e-6;
+  grid.origin = Vec3(-narrowing_length(scene) - 150e-6, -197.5e-6, 2.5e-6);
+  const DuctFlow duct(scene.geometry.channel_width, scene.geometry.neck_height);
+  for (int k = 0; k < grid.points[2]; ++k)
+    for (int j = 0; j < grid.points[1]; ++j)
+      for (int i = 0; i < grid.points[0]; ++i) {
+        const Vec3 x = grid.origin + grid.spacing * Vec3(i, j, k);
+        const double wave = 1 + amplitude * std::sin(2 * std::numbers::pi * x.x() / 70e-6);
+        const auto u = static_cast<float>(scene.flow.mean_velocity * duct(x.y(), x.z()) * wave);
+        grid.velocity.insert(grid.velocity.end(), {u, u / 2, 0});
+        grid.solid.push_back(0);
+      }
+  return grid;
+}
+
+TEST(StraightFlux, TakesTheWaverOutBeforeTheNarrowingAndNothingBehind) {
+  const Scene scene = flow_scene();
+  const FlowGrid still = wavering_flow(scene, 0);
+  FlowGrid grid = wavering_flow(scene, 0.02);
+  const FlowGrid before = grid;
+  EXPECT_NEAR(restore_flow_rate(grid, scene), 0.02, 5e-4);
+  const double bend = -narrowing_length(scene);
+  for (std::size_t at = 0; at < grid.solid.size(); ++at) {
+    const bool straight = grid.origin.x() + static_cast<double>(at % 40) * grid.spacing <= bend;
+    for (int c = 0; c < 3; ++c) {
+      const float wanted = straight ? still.velocity[3 * at + c] : before.velocity[3 * at + c];
+      // The rule itself on 20 layers: 1e-4.
+      ASSERT_NEAR(grid.velocity[3 * at + c], wanted, 2e-4 * std::abs(wanted) + 1e-12) << at;
+    }
+  }
+  FlowGrid wrong = wavering_flow(scene, 0.2);
+  EXPECT_THAT(refusal([&] { restore_flow_rate(wrong, scene); }),
+              testing::HasSubstr("the flux through x = "));
+}
+
+// A channel ten times as long as it is wide adds what a duct adds.
+TEST(FlowReach, ALongerChannelAddsItsDevelopedPressureDrop) {
+  const Scene solved = flow_scene({"geometry.channel_length=500 um"}),
+              longer = flow_scene({"geometry.channel_length=2.5 mm"});
+  FlowGrid flow;
+  EXPECT_FALSE(channel_pressure_drop(flow, longer));
+  flow.provenance["pressure_drop"] = 20.0;
+  EXPECT_DOUBLE_EQ(*channel_pressure_drop(flow, solved), 20);
+  // 400 x 100 um: f Re = 72.93, D = 160 um; 1.8 mPa s, 5 mm/s, 2 mm.
+  EXPECT_NEAR(*channel_pressure_drop(flow, longer) - 20,
+              72.93 / 2 / (160e-6 * 160e-6) * 1.8e-3 * 5e-3 * 2e-3, 0.01);
 }
 
 }  // namespace

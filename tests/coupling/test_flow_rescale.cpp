@@ -49,6 +49,25 @@ TEST(FlowRescale, NeedsTheSameChannelAndSlowFlow) {
               HasSubstr("Reynolds number is 2.36, and the error of scaling is known up to 1.2"));
 }
 
+// 1.25 widths of 400 um are solved: beyond 500 um every length is served, below it none but its own.
+TEST(FlowBelongs, EveryLengthBeyondWhatIsSolved) {
+  const auto check = [](const char* file, const char* scene) {
+    const std::string key = "geometry.channel_length=";
+    check_flow_belongs(flow_scene({key + scene}), solved({key + file}));
+  };
+  EXPECT_NO_THROW(check("1 mm", "3 mm"));
+  EXPECT_NO_THROW(check("500 um", "1 mm"));
+  EXPECT_NO_THROW(check("1 mm", "500 um"));
+  EXPECT_THAT(refusal([&] { check("1 mm", "480 um"); }), HasSubstr("channel_length"));
+  EXPECT_THAT(refusal([&] { check("300 um", "1 mm"); }), HasSubstr("channel_length"));
+}
+
+TEST(FlowBelongs, WhateverItsNameIfItsInputsAgree) {
+  FlowGrid flow = solved({});
+  flow.hash = "of an older version";
+  EXPECT_NO_THROW(check_flow_belongs(flow_scene(), flow));
+}
+
 TEST(FlowRescale, OtherwiseAllMustAgree) {
   EXPECT_THAT(
       refusal([] { check_flow_belongs(flow_scene({"flow.mean_velocity=1 mm/s"}), solved({})); }),

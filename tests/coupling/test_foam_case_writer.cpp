@@ -1,11 +1,16 @@
 #include "coupling/foam_case_writer.hpp"
 
+#include <signal.h>
+#include <sys/resource.h>
+
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <string>
 
 #include <gmock/gmock.h>
 
+#include "coupling/case_lock.hpp"
 #include "coupling/content_hash.hpp"
 #include "coupling/flow_lattice.hpp"
 #include "coupling/flow_mesh.hpp"
@@ -60,6 +65,72 @@ TEST(FoamCaseWriter, KeepsASolvedFlowAndReplacesAnotherOne) {
   EXPECT_TRUE(fs::exists(folder / "0.orig" / "U"));
 }
 
+/// As on a full disk: no file grows over a kilobyte.
+std::string refusal_without_room(const std::function<void()>& work) {
+  signal(SIGXFSZ, SIG_IGN);
+  rlimit old{};
+  getrlimit(RLIMIT_FSIZE, &old);
+  const rlimit small{.rlim_cur = 1000, .rlim_max = old.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &small);
+  const std::string said = refusal(work);
+  setrlimit(RLIMIT_FSIZE, &old);
+  return said;
+}
+
+TEST(FoamCaseWriter, WhatAFailedCallLeftNeitherPassesForSolvedNorBlocksTheNext) {
+  const ScratchFolder scratch;
+  const fs::path folder = scratch.path() / "case";
+  const auto write = [&](const char* speed) {
+    return write_foam_case(flow_scene({std::string("flow.mean_velocity=") + speed}), folder,
+                           foam_template());
+  };
+  EXPECT_THAT(refusal_without_room([&] { write("5 mm/s"); }),
+              HasSubstr("cannot be written: File too large"));
+  EXPECT_EQ(read_text_file(folder / "hash"), "unfinished\n");
+  EXPECT_EQ(write("5 mm/s"), FoamCaseState::written);
+  write_file(folder / "solved", read_text_file(folder / "hash"));
+  EXPECT_THAT(refusal_without_room([&] { write("1 mm/s"); }),
+              HasSubstr("cannot be written: File too large"));
+  EXPECT_FALSE(fs::exists(folder / "solved"));
+  EXPECT_EQ(read_text_file(folder / "hash"), "unfinished\n");
+  EXPECT_EQ(write("5 mm/s"), FoamCaseState::written);
+  // Killed in its first moments.
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  write_file(folder / "lock", "");
+  write_file(folder / "hash.clog.part", "unfi");
+  EXPECT_EQ(write("5 mm/s"), FoamCaseState::written);
+}
+
+TEST(FoamCaseWriter, AReadOnlyInstallationMakesAWritableCase) {
+  const ScratchFolder scratch;
+  const fs::path own = scratch.path() / "template", folder = scratch.path() / "case";
+  fs::copy(foam_template(), own, fs::copy_options::recursive);
+  const auto writable = fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
+  for (const auto& entry : fs::recursive_directory_iterator(own))
+    fs::permissions(entry.path(), writable, fs::perm_options::remove);
+  write_foam_case(flow_scene(), folder, own);
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    EXPECT_NE(fs::status(entry.path()).permissions() & fs::perms::owner_write, fs::perms::none)
+        << entry.path();
+}
+
+TEST(FoamCaseWriter, LeavesACaseAloneThatIsBeingSolved) {
+  const ScratchFolder scratch;
+  const fs::path folder = scratch.path() / "case";
+  write_foam_case(flow_scene(), folder, foam_template());
+  write_file(folder / "log.simpleFoam", "half");
+  CaseLock solver(folder);
+  ASSERT_TRUE(solver.take());
+  write_file(folder / "lock", "process 17 on node\n");
+  EXPECT_EQ(write_foam_case(flow_scene(), folder, foam_template()), FoamCaseState::unsolved);
+  EXPECT_THAT(refusal([&] {
+                write_foam_case(flow_scene({"flow.mean_velocity=1 mm/s"}), folder, foam_template());
+              }),
+              HasSubstr("is being solved for another flow, by process 17 on node; wait for it"));
+  EXPECT_EQ(read_text_file(folder / "log.simpleFoam"), "half");
+}
+
 TEST(FoamCaseWriter, AChangedTemplateIsAnotherCase) {
   const ScratchFolder scratch;
   const fs::path own = scratch.path() / "template", folder = scratch.path() / "case";
@@ -104,12 +175,12 @@ TEST(FoamCaseWriter, AnExtrapolatedFlowHasACoarserCase) {
 TEST(FoamCaseWriter, OnlyKeysOfTheFlowChangeTheHash) {
   const std::string hash = hash_of({});
   for (const char* key :
-       {"particles.diameter=50 um", "contact.youngs_modulus=1 GPa", "ensemble.seeds=1-9"}) {
+       {"particles.diameter=50 um", "contact.youngs_modulus=1 GPa", "ensemble.seeds=1-9", "geometry.channel_length=2 mm"}) {
     EXPECT_EQ(hash_of({key}), hash) << key;
   }
   for (const char* key :
        {"geometry.neck_width=90 um", "geometry.neck_height=110 um", "geometry.channel_width=500 um",
-        "geometry.channel_length=2 mm", "geometry.neck_length=150 um", "geometry.half_angle=45 deg",
+        "geometry.channel_length=300 um", "geometry.neck_length=150 um", "geometry.half_angle=45 deg",
         "flow.mean_velocity=4 mm/s", "fluid.viscosity=1e-3 Pa s", "fluid.density=1000 kg/m3",
         "flow.mesh_cells_per_neck=20", "flow.extrapolate=true"}) {
     EXPECT_NE(hash_of({key}), hash) << key;

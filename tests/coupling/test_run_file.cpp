@@ -140,7 +140,8 @@ TEST(RunFile, WriterRefuses) {
   EXPECT_THAT(refused([](RunData& r) { r.series.time[1] = -1; }),
               HasSubstr("/series/time is not in ascending order"));
   EXPECT_THAT(refused([](RunData& r) { r.end_time = std::numeric_limits<double>::quiet_NaN(); }),
-              HasSubstr("/end_time is not finite"));
+              HasSubstr("/end_time is nan s (must be from 0 on)"));
+  EXPECT_THAT(refused([](RunData& r) { r.end_time = -1; }), HasSubstr("/end_time is -1 s (must be from 0 on)"));
   EXPECT_THAT(refused([](RunData& r) { r.snapshots[0].force.pop_back(); }),
               HasSubstr("/snapshots/force has 5 numbers for 2 particles"));
   EXPECT_FALSE(std::filesystem::exists(temporary("refused.h5")));

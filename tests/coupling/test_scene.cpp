@@ -148,7 +148,7 @@ std::string other_value(const Key& key) {
     const double value = number->range.high <= 0 ? -123 : number->range.high <= 1 ? 0.25 : 123;
     return number->dimension == dimension::number
                ? fmt::format("{}", value)
-               : format_quantity(1e-7 * value, number->dimension);
+               : si_quantity(1e-7 * value, number->dimension);
   }
   if (std::holds_alternative<CountSlot>(key.slot)) return "7";
   if (std::holds_alternative<SwitchSlot>(key.slot)) return "true";

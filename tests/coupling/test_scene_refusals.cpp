@@ -81,6 +81,11 @@ TEST(SceneRefusals, OfSingleValues) {
       {"contact=3", "contact = 3 (a section: write [contact] on a line of its own)"},
       {"friction.sliding=1", "(unknown key; the nearest known key is contact.friction.sliding)"},
       {"particles=x", "(a section"},
+      {"gravity=9.81", "--set gravity = 9.81 (unknown key)"},
+      {"fluid.visc=1", "(unknown key)"},
+      {"fluid.viscosity=1,8 mPa s", "(a decimal comma: write a point, \"1.8 mPa s\")"},
+      {"fluid.viscosity=1.8 mPas", "(unknown unit \"mPas\": write a space between two units, \"mPa s\")"},
+      {"contact.restitution=0,7", "(must be a pure number, with a decimal point and no comma, e.g. 0.6)"},
       {"foo", "--set foo (write key=value"},
       {"=3", "--set =3 (write key=value"},
   };
@@ -93,7 +98,7 @@ TEST(SceneRefusals, OfValuesThatDisagree) {
       {"geometry.neck_width=1 mm",
        "geometry.neck_width = \"1 mm\" (must not be wider than geometry.channel_width"},
       {"particles.diameter=100 um",
-       "(must be smaller than geometry.neck_width = 0.0001 m, or no particle fits through)"},
+       "(must be smaller than geometry.neck_width = 100 um, or no particle fits through)"},
       {"geometry.neck_height=20 um", "(must be smaller than geometry.neck_height"},
       {"particles.roughness=10 um", "(must be smaller than a quarter of particles.diameter"},
       {"lubrication.cutoff=0.1 um", "(must be larger than 2 particles.roughness"},
@@ -112,7 +117,7 @@ TEST(SceneRefusals, OfValuesThatDisagree) {
 
 TEST(SceneRefusals, OfShapesThatAreImpossible) {
   const std::pair<Overrides, const char*> cases[] = {
-      {{"geometry.neck_rounding=1 mm"}, "geometry.neck_rounding = 0.001 m (the arc does not fit"},
+      {{"geometry.neck_rounding=1 mm"}, "geometry.neck_rounding = 1 mm (the arc does not fit"},
       {{"geometry.channel_width=100 um", "geometry.neck_rounding=10 um"}, "there is no narrowing"},
       {{"geometry.step_width=50 um", "geometry.step_length=1 mm"}, "must lie between neck_width"},
       {{"geometry.step_width=200 um"}, "needs geometry.step_length too"},

@@ -1,6 +1,8 @@
 // Every unit, the exactness of prefixes, and what is refused.
+#include <bit>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include <gmock/gmock.h>
 
@@ -92,8 +94,58 @@ TEST(Units, FormattedTextReadsBackToTheSameBits) {
       const Quantity quantity = parse_quantity(format_quantity(value, d));
       EXPECT_EQ(quantity.si, value) << format_quantity(value, d);
       EXPECT_EQ(quantity.dimension, d) << format_quantity(value, d);
+      EXPECT_EQ(parse_quantity(si_quantity(value, d)).si, value) << si_quantity(value, d);
     }
-  EXPECT_EQ(format_quantity(3.3e-5, dimension::length), "3.3e-05 m");
+  EXPECT_EQ(si_quantity(3.3e-5, dimension::length), "3.3e-05 m");
+}
+
+TEST(Units, ArePrintedAsPeopleWriteThem) {
+  const std::pair<const char*, Quantity> examples[] = {
+      {"33 um", {3.3e-5, dimension::length, false}},
+      {"1.65 um", {1.65e-6, dimension::length, false}},
+      {"100 um", {1e-4, dimension::length, false}},
+      {"1 mm", {1e-3, dimension::length, false}},
+      {"2500 m", {2.5e3, dimension::length, false}},
+      {"-50 um", {-5e-5, dimension::length, false}},
+      {"0 m", {0, dimension::length, false}},
+      {"500 ms", {0.5, dimension::time, false}},
+      {"1.5 s", {1.5, dimension::time, false}},
+      {"5 mm/s", {5e-3, dimension::velocity, false}},
+      {"3 MPa", {3e6, dimension::pressure, false}},
+      {"1.8 mPa s", {1.8e-3, dimension::viscosity, false}},
+      {"1 nN", {1e-9, dimension::force, false}},
+      {"1062 kg/m3", {1062, dimension::density, false}},
+      {"50 1/s", {50, dimension::rate, false}},
+      {"1e-300 m", {1e-300, dimension::length, false}},
+      {"9.81 m s-2", {9.81, {1, 0, -2}, false}},
+  };
+  for (const auto& [text, quantity] : examples)
+    EXPECT_EQ(format_quantity(quantity.si, quantity.dimension), text);
+  EXPECT_EQ(format_angle(std::numbers::pi / 3), "60 deg");
+  EXPECT_EQ(format_angle(parse_quantity("22.5 deg").si), "22.5 deg");
+  EXPECT_EQ(format_angle(parse_quantity("1 rad").si), format_angle(1));
+}
+
+TEST(Units, PrintedTextIsExactForAnyNumber) {
+  std::mt19937_64 random(1);
+  const auto check = [](double value, Dimension d) {
+    const std::string text = format_quantity(value, d);
+    EXPECT_EQ(parse_quantity(text).si, value) << text;
+    EXPECT_EQ(parse_quantity(text).dimension, d) << text;
+  };
+  for (int k = 0; k < 20000; ++k) {
+    const double value = std::bit_cast<double>(random());
+    if (!std::isfinite(value)) continue;
+    const double near = std::ldexp(value, -std::ilogb(value) + static_cast<int>(random() % 80) - 50);
+    for (const Dimension d : {dimension::length, dimension::time, dimension::velocity, dimension::pressure,
+                              dimension::viscosity, dimension::force, dimension::density}) {
+      check(value, d);
+      check(near, d);
+    }
+    const double angle = std::abs(std::ldexp(near, 20 - std::ilogb(near) - static_cast<int>(random() % 40)));
+    EXPECT_EQ(parse_quantity(format_angle(angle)).si, angle) << format_angle(angle);
+    EXPECT_TRUE(parse_quantity(format_angle(angle)).is_angle);
+  }
 }
 
 TEST(Units, RefusalsSayWhy) {

@@ -106,6 +106,15 @@ TEST_P(AgainstScalar, DimersThatChangePlacesInTheOrderOfTheLists) {
 INSTANTIATE_TEST_SUITE_P(On, AgainstScalar, testing::Values("x86_64", "avx2", "avx512"),
                          [](const auto& info) { return std::string(info.param); });
 
+TEST(SelectKernels, TakesAvx2WhereverItIsUnlessAsked) {
+  if (!has("avx2")) GTEST_SKIP() << "this processor lacks avx2";
+  const ForcedIsa none("");
+  EXPECT_STREQ(select_kernels().name, "avx2");
+  if (has("avx512")) {
+    EXPECT_STREQ(select_kernels("avx512").name, "avx512");
+  }
+}
+
 TEST(SelectKernels, RefusesAnUnknownInstructionSet) {
   const ForcedIsa isa("mmx");
   EXPECT_THROW(select_kernels(), Error);

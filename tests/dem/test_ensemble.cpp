@@ -101,9 +101,9 @@ TEST_F(EnsembleFiles, FinishedSeedsAreSkipped) {
   EXPECT_EQ(std::filesystem::last_write_time(file), written);
   EXPECT_TRUE(std::filesystem::exists(folder_.path() / "out" / run_file_name(3)));
   // A file of another scene in the same folder is not taken for this one.
-  const Outcome other = run("", "out", "--seeds 2 --set time.end='7 ms'");
+  const Outcome other = run("", "out", "--seeds 2 --set time.end='5 ms'");
   EXPECT_NE(other.status, 0);
-  EXPECT_THAT(other.text, HasSubstr("was made for another scene"));
+  EXPECT_THAT(other.text, HasSubstr("run_0002.h5: is longer than what is asked for (time.end = \"0.006 s\", now \"0.005 s\"): give another --out"));
 }
 
 TEST_F(EnsembleFiles, ASweepHasAFolderForEachPointWithTheFilesOfAPlainRun) {

@@ -48,13 +48,45 @@ TEST(Model, SaysWhereWallsFromAFileAreOpen) {
   EXPECT_THAT(said, testing::Contains(HasSubstr("the walls are open")));
 }
 
-TEST(Model, RefusesWallsThatAreNoSurfaceUnderTheFilesName) {
+TEST(Model, SaysWhichFacetsOfAFileAreLeftOut) {
   const ScratchFile twice(floor_file("facet\nvertex 1 0 0\nvertex 0 1 0\nvertex 0 0 0\nendfacet\n"), ".stl");
-  EXPECT_THAT(refusal([&] { make_model(on_walls(twice), nullptr, {}); }),
-              HasSubstr(twice.name() + ": walls: triangle 2 has the corners of triangle 1"));
+  EXPECT_THAT(make_model(on_walls(twice), nullptr, {}).walls_note,
+              HasSubstr(twice.name() + ": 1 facet with the corners of another (number 2) is left out"));
   const ScratchFile flat(floor_file("facet\nvertex 1 0 0\nvertex 2 0 0\nvertex 3 0 0\nendfacet\n"), ".stl");
-  EXPECT_THAT(refusal([&] { make_model(on_walls(flat), nullptr, {}); }),
-              HasSubstr(flat.name() + ": walls: triangle 2 has no area"));
+  EXPECT_THAT(make_model(on_walls(flat), nullptr, {}).walls_note,
+              HasSubstr(flat.name() + ": 1 facet without area (number 2) is left out"));
+}
+
+// A closed body whose base has two thin facets beside its edge from (0, 0) to (10, 0): the second lies within 0.01 of the
+// first, but not of that edge.
+std::string thin_facets() {
+  const std::array<Vec3, 6> p{Vec3(0, 0, 0), Vec3(10, 0, 0), Vec3(5, -8, 0), Vec3(6, 0.009, 0), Vec3(3, 0.0135, 0), Vec3(5, 0, 5)};
+  std::string text = "solid body\n";
+  for (const auto& facet : {std::array{0, 1, 2}, {0, 3, 1}, {0, 4, 3}, {0, 2, 5}, {2, 1, 5}, {1, 3, 5}, {3, 4, 5}, {4, 0, 5}}) {
+    text += "facet\n";
+    for (const int k : facet) text += fmt::format("vertex {} {} {}\n", p[k].x(), p[k].y(), p[k].z());
+    text += "endfacet\n";
+  }
+  return text + "endsolid body\n";
+}
+
+TEST(Model, RefusesAToleranceThatOpensTheWalls) {
+  const ScratchFile file(thin_facets(), ".stl");
+  Scene scene = on_walls(file);
+  EXPECT_EQ(make_model(scene, nullptr, {}).walls_note, "");
+  EXPECT_EQ(make_model(scene, nullptr, {}).walls.size(), 8u);
+  scene.geometry.stl_tolerance = 0.01;
+  EXPECT_THAT(refusal([&] { make_model(scene, nullptr, {}); }),
+              testing::AllOf(HasSubstr(file.name() + ": 2 facets without area"), HasSubstr("that opens the surface")));
+  scene.geometry.stl_tolerance = 0.02;
+  EXPECT_THAT(make_model(scene, nullptr, {}).walls_note, HasSubstr("2 facets without area"));
+}
+
+TEST(Model, RefusesAToleranceLargerThanTheFacetsUnderTheFilesName) {
+  const ScratchFile file(floor_file(), ".stl");
+  Scene scene = on_walls(file);
+  scene.geometry.stl_tolerance = 2;
+  EXPECT_THAT(refusal([&] { make_model(scene, nullptr, {}); }), testing::AllOf(HasSubstr(file.name()), HasSubstr("none is left")));
 }
 
 }  // namespace

@@ -249,6 +249,82 @@ TEST(StepLimits, ASceneThatMustCrushItsParticlesIsRefused) {
               AllOf(HasSubstr("overlaps of"), HasSubstr("raise contact.youngs_modulus")));
 }
 
+/// Largest and mean error of the restitution of head-on impacts, over the phases of the step.
+std::pair<double, double> impact_errors(double share) {
+  Scene s = laboratory_scene({3e6, 0.35, 1062, 33e-6}, 1e-8);
+  s.contact.restitution = 0.7;
+  const auto spheres = [](double gap) {
+    return std::vector<Particle>{{.radius = 16.5e-6, .vx = 5e-3}, {.radius = 16.5e-6, .x = 33e-6 + gap}};
+  };
+  s.time.step = share * expected_limits(make_model(s, nullptr, spheres(0)), spheres(0)).contacts;
+  double worst = 0, mean = 0;
+  constexpr int phases = 40;
+  for (int k = 0; k < phases; ++k) {
+    Laboratory lab(s, spheres((1 + (k + 0.5) / phases) * 5e-3 * s.time.step));
+    for (bool met = false;;) {
+      lab.step();
+      if (met && lab->pair_tally().contacts == 0) break;
+      met = met || lab->pair_tally().contacts > 0;
+    }
+    const double error = (lab.velocity(1) - lab.velocity(0)).x() / 5e-3 / 0.7 - 1;
+    worst = std::max(worst, std::abs(error));
+    mean += error / phases;
+  }
+  return {worst, mean};
+}
+
+TEST(StepLimits, TheErrorOfSingleImpactsIsToldWhereItBegins) {
+  StepLimits limits;
+  limits.contacts = 1;
+  EXPECT_EQ(impact_warning(limits, 0.36), "");
+  EXPECT_THAT(impact_warning(limits, 0.7), HasSubstr("0.7 of the contacts' limit: the restitution of single impacts is off by up to 3.6 %"));
+  for (const double share : {0.2, 0.37, 0.7, 0.95}) {
+    const auto [worst, mean] = impact_errors(share);
+    // It rises and falls with the number of steps in a contact.
+    EXPECT_LT(worst, 1.5 * impact_error({.contacts = 1}, share) + 0.004) << share;
+    EXPECT_GT(worst, 0.4 * impact_error({.contacts = 1}, share)) << share;
+    EXPECT_LT(std::abs(mean), 0.01) << share;
+  }
+}
+
+TEST(StepLimits, NoParticleMayGoFarInAStep) {
+  Scene s = pressed(1e-7);
+  s.body_force = {0, 0, 0};
+  const auto at = [&](double speed) { return std::vector<Particle>{{.radius = 16.5e-6, .z = 5e-4, .vx = speed}}; };
+  const auto check = [&](double speed) {
+    const Model model = make_model(s, nullptr, at(speed));
+    StepLimits limits = expected_limits(model, at(speed));
+    limits.expected_overlap = 0;
+    limits.contacts = 1;
+    return check_step(limits, model) + way_warning(limits, model.dt);
+  };
+  const double diameter_a_step = 33e-6 / 1e-7;
+  EXPECT_EQ(check(0.09 * diameter_a_step), "");
+  EXPECT_THAT(check(0.2 * diameter_a_step), HasSubstr("the fastest particles go 0.2 of a diameter"));
+  EXPECT_THAT(refusal([&] { check(0.64 * diameter_a_step); }),
+              HasSubstr("the fastest particles go 0.64 of a diameter (no more than 0.25, or contacts are met too late): lower time.step"));
+}
+
+TEST(StepLimits, DeepOverlapsAreSaidOnceWithThePair) {
+  const std::vector<Particle> two{{.radius = 16.5e-6, .z = 1e-4}, {.radius = 16.5e-6, .x = 33e-6, .z = 1e-4}};
+  Scene s = pressed(1e-9);
+  s.body_force = {0, 0, 0};
+  Laboratory lab(s, two);
+  lab->particles()[1].x = 28e-6;
+  std::vector<std::string> notes;
+  lab->on_note([&](const std::string& note) { notes.push_back(note); });
+  lab.step(), lab.step();
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_THAT(notes[0], HasSubstr("overlaps particle 1 by 5e-06 m, 0.15 of its diameter: beyond 0.1 of a diameter Hertz's law"));
+}
+
+TEST(StepLimits, ASphereWhoseCentreLiesOnAWallIsNotLetGo) {
+  const std::vector<Particle> one{{.radius = 16.5e-6, .z = 1e-4}};
+  Laboratory lab(pressed(1e-9), one);
+  lab->particles()[0].z = 0;
+  EXPECT_THAT(refusal([&] { lab.step(); }), HasSubstr("overlaps a wall by 1.65e-05 m, 0.5 of its diameter"));
+}
+
 TEST(StepWatch, SeesEnergyThatNothingSupplied) {
   StepWatch watch;
   EXPECT_FALSE(watch.appeared(1, 0));    // the first look

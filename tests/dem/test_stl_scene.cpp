@@ -6,6 +6,7 @@
 #include "dem/inlet.hpp"
 #include "dem/simulation.hpp"
 #include "tests/coupling/refusal.hpp"
+#include "tests/dem/laboratory.hpp"
 
 namespace clog::test {
 namespace {
@@ -49,6 +50,63 @@ TEST(StlScene, ParticlesEnterBetweenTheWalls) {
     EXPECT_LE(p[i].x + r, -179.9e-6);
     EXPECT_LE(std::abs(p[i].y) + r, 150.001e-6);
   }
+}
+
+Scene laboratory(const char* stl, Overrides overrides = {}) {
+  const auto folder = source_folder() / "tests" / "reference" / "cases";
+  overrides.insert(overrides.begin(), fmt::format("geometry.stl={}", (folder / stl).string()));
+  return read_scene(folder / "lab.toml", overrides);
+}
+
+TEST(StlScene, SeamsThatDifferInTheLastDigitAreClosed) {
+  for (const char* stl : {"box_108_triangles_one_ulp_seams.stl", "stl/plain.stl"}) {
+    const Model model = make_model(laboratory(stl), nullptr, {});
+    EXPECT_EQ(model.walls_note, "") << stl;
+    EXPECT_TRUE(open_rims(join_walls(model.walls, model.weld)).empty());
+  }
+  const auto tiny = (source_folder() / "tests" / "reference" / "cases" / "seams_tiny.stl").string();
+  EXPECT_EQ(make_model(pore({"geometry.stl=" + tiny}), nullptr, {}).walls_note, "");
+}
+
+TEST(StlScene, SaysWhatIsLeftOut) {
+  EXPECT_THAT(make_model(laboratory("degenerate.stl"), nullptr, {}).walls_note, testing::HasSubstr("without area"));
+  EXPECT_THAT(make_model(laboratory("duplicate.stl"), nullptr, {}).walls_note,
+              testing::HasSubstr("with the corners of another"));
+  for (const char* stl : {"degenerate.stl", "duplicate.stl"})
+    EXPECT_EQ(make_model(laboratory(stl), nullptr, {}).walls.size(), 12u) << stl;
+  EXPECT_THAT(make_model(laboratory("open.stl"), nullptr, {}).walls_note, testing::HasSubstr("open along 1 rim"));
+}
+
+TEST(StlScene, AWrongUnitIsToldByTheExtent) {
+  EXPECT_THAT(refusal([] { make_model(laboratory("mm.stl"), nullptr, {}); }),
+              testing::AllOf(testing::HasSubstr("2e-07 x 2e-07 x 2e-07 m, counted in units of 1e-06 m"),
+                             testing::HasSubstr("is geometry.stl_unit right?")));
+  EXPECT_THAT(make_model(laboratory("stl/plain.stl", {"geometry.stl_unit=1 m"}), nullptr, {}).walls_note,
+              testing::HasSubstr("200 x 200 x 200 m, counted in units of 1 m: is geometry.stl_unit right?"));
+}
+
+TEST(StlScene, APassagePlaneOutsideTheWallsIsRefused) {
+  for (const char* plane : {"-1 um", "201 um"})
+    EXPECT_THAT(refusal([&] { make_model(laboratory("stl/plain.stl", {fmt::format("passages.plane={}", plane)}), nullptr, {}); }),
+                testing::HasSubstr("must be within the walls, from x = 0 to 0.0002 m"));
+  EXPECT_EQ(make_model(laboratory("stl/plain.stl", {"passages.plane=50 um"}), nullptr, {}).domain.passage, 50e-6);
+}
+
+TEST(StlScene, SaysWhenWhatLeftWasNotCounted) {
+  const ScratchFile one("x,y,z\n90e-6,0,50e-6\n", ".csv");
+  Scene scene = pore({"inlet.enabled=false", "particles.initial=" + one.name(), "time.end=6 ms"});
+  const auto notes_of = [&](double plane) {
+    scene.passages.plane = plane;
+    Simulation simulation(scene, nullptr, 1);
+    std::string notes;
+    simulation.on_note([&](const std::string& line) { notes += line + "\n"; });
+    simulation.run();
+    EXPECT_EQ(simulation.particles().size(), 0u);
+    return notes;
+  };
+  EXPECT_THAT(notes_of(95e-6), testing::Not(testing::HasSubstr("none was counted")));
+  // No scene is read with such a plane.
+  EXPECT_THAT(notes_of(1e-3), testing::HasSubstr("warning: 1 particle left at the outlet, x = 0.0001 m, and none was counted"));
 }
 
 TEST(StlScene, RunsWithoutAFlowFile) {

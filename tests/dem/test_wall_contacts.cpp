@@ -180,6 +180,57 @@ TEST(WallForce, AtTheEndOfAnEdgeHasBothContacts) {
   }
 }
 
+/// The longest jump of the force, over the force, on a way in so many steps, lists made anew at each place.
+double force_jump(const Walls& walls, const std::function<Vec3(double)>& way, int steps) {
+  Probe probe(walls);
+  double worst = 0, largest = 0;
+  Vec3 last = Vec3::Zero();
+  for (int k = 0; k <= steps; ++k) {
+    const Vec3 force = probe.force_with_new_lists(way(static_cast<double>(k) / steps));
+    if (k > 0) worst = std::max(worst, (force - last).norm());
+    largest = std::max(largest, force.norm());
+    last = force;
+  }
+  return worst / largest;
+}
+
+/// A jump does not become smaller with the step; a steep rise does.
+void expect_continuous(const Walls& walls, const std::function<Vec3(double)>& way) {
+  const double coarse = force_jump(walls, way, 4000), fine = force_jump(walls, way, 40000);
+  EXPECT_GT(coarse, 0);
+  EXPECT_LT(fine, 0.3 * coarse);
+}
+
+TEST(WallForce, DoesNotJumpFromFacetToFacet) {
+  for (const int facets : {12, 13, 16, 64})
+    for (const double deep : {1e-2 * r, 1e-1 * r}) {
+      const double pore = 1.09 * r;
+      expect_continuous(round_pore(pore, facets, 3 * r), [&](double s) -> Vec3 {
+        return around(0.2 + 1.3 * s, pore - r + deep * (1 + 0.3 * std::sin(20 * s)), 0.1 * r);
+      });
+    }
+}
+
+TEST(WallForce, DoesNotJumpWhereAThirdFacetComesBetweenTwo) {
+  // Two sides of a gutter, 50 degrees apart, hold the sphere; then it meets the bottom between them.
+  const double side = 0.4 * std::tan(25 * M_PI / 180);
+  const Walls walls = gutter({{-0.415, 0, side}, {-0.015, 0, 0}, {0.015, 0, 0}, {0.415, 0, side}}, 1);
+  expect_continuous(walls, [](double s) { return Vec3(0.002 * s, 0.1, 0.105 - 0.007 * s); });
+  Probe probe(walls);
+  probe.force_with_new_lists({0, 0.1, 0.1001});
+  EXPECT_EQ(probe.contacts(), 2);
+}
+
+TEST(WallForce, OfACurvedWallIsThatOfItsNearestFacet) {
+  const double pore = 1.05 * r;
+  for (const int facets : {14, 64, 1024}) {
+    Probe probe(round_pore(pore, facets, 3 * r));
+    const Vec3 force = probe.force_with_new_lists({pore - r + overlap, 0, 0});
+    EXPECT_EQ(probe.contacts(), 1);
+    EXPECT_LT((force + Vec3(probe.hertz(overlap), 0, 0)).norm(), 0.005 * probe.hertz(overlap)) << facets;
+  }
+}
+
 /// Slides a sphere along a way in small steps, lists made anew now and then, and returns the longest
 /// change of its spring beyond what the steps explain.
 double spring_jump(const Walls& walls, const std::function<Vec3(double)>& way, double from, double to) {
@@ -215,6 +266,15 @@ TEST(WallSprings, SurviveAConvexEdge) {
   // The centre's chord is shorter than the arc by 1e-7, and the spring turns with the normal.
   EXPECT_LT(spring_jump(bent_plate(-M_PI / 3, 1), [](double s) { return over_edge(s, M_PI / 3).centre; },
                         -0.1, 0.2), 2e-6);
+}
+
+TEST(WallSprings, SurviveFromFacetToFacet) {
+  for (const int facets : {14, 64, 1024}) {
+    const double pore = 1.09 * r, height = pore - r + overlap;
+    // Each step goes on by its length; where the facets turn, the spring turns with the normal.
+    EXPECT_LT(spring_jump(round_pore(pore, facets, 3 * r), [&](double s) { return around(s / height, height, 0.1 * r); },
+                          0, 0.5 * height), 2e-5) << facets;
+  }
 }
 
 TEST(WallSprings, OfAContactLostAreForgotten) {

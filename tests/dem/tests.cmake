@@ -7,7 +7,7 @@ clog_tests(test_few_particles
           dem/test_fluid_noise.cpp
   LIBRARIES clog_dem LABELS unit)
 clog_tests(test_walls
-  SOURCES dem/test_wall_surface.cpp dem/test_wall_contacts.cpp
+  SOURCES dem/test_wall_surface.cpp dem/test_wall_contacts.cpp dem/test_curved_walls.cpp
   LIBRARIES clog_dem LABELS unit)
 clog_tests(test_against_scalar
   SOURCES dem/test_against_scalar.cpp

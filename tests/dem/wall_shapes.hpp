@@ -30,6 +30,33 @@ inline Walls bent_plate(double angle, double size) {
   return walls;
 }
 
+/// A place on a circle in the x-z plane.
+inline Vec3 around(double angle, double radius, double y) { return {radius * std::cos(angle), y, radius * std::sin(angle)}; }
+
+/// A closed round pore along y made of flat facets, the middle of the first at angle 0.
+inline Walls round_pore(double radius, int facets, double half_length) {
+  Walls walls;
+  const double corner = radius / std::cos(M_PI / facets);  // the facets touch the circle
+  for (int k = 0; k < facets; ++k) {
+    const double from = (2 * k - 1) * M_PI / facets, to = (2 * k + 1) * M_PI / facets;
+    const Vec3 a = around(from, corner, -half_length), b = around(to, corner, -half_length);
+    const Vec3 c = around(to, corner, half_length), d = around(from, corner, half_length);
+    add_quad(walls, d, c, b, a);
+    walls.push_back({{a, b, Vec3(0, -half_length, 0)}});
+    walls.push_back({{c, d, Vec3(0, half_length, 0)}});
+  }
+  return walls;
+}
+
+/// A floor that goes on along y, with the given corners in the x-z plane, from smaller x to larger. Fluid above.
+inline Walls gutter(const std::vector<Vec3>& corners, double half_length) {
+  Walls walls;
+  const Vec3 y(0, half_length, 0);
+  for (std::size_t k = 0; k + 1 < corners.size(); ++k)
+    add_quad(walls, corners[k] - y, corners[k + 1] - y, corners[k + 1] + y, corners[k] + y);
+  return walls;
+}
+
 /// The same surface cut finer: every triangle into four by the middles of its edges (which neighbours
 /// share), or into three around a random inner point.
 inline Walls cut_in_four(const Walls& walls) {

@@ -56,8 +56,7 @@ TEST(FullDisk, LosesNothingThatWasDone) {
   ASSERT_TRUE(std::filesystem::exists(job.path("full/run_0001.h5")));
   ASSERT_EQ(job.complete("undisturbed", "1"), "");
   EXPECT_TRUE(job.result("full", 1) == job.result("undisturbed", 1));
-  for (const auto& entry : std::filesystem::directory_iterator(job.path("full")))
-    EXPECT_THAT(entry.path().string(), Not(HasSubstr(".part")));
+  EXPECT_THAT(files_in(job.path("full")), testing::Each(Not(HasSubstr(".part"))));
 }
 
 // The library makes an empty file before it finds no room for its first bytes.
@@ -66,8 +65,9 @@ TEST(FullDisk, WithoutRoomForAByteLeavesNoPart) {
   const SmallDisk disk(job.path("full"), "8k");
   if (!disk.mounted()) GTEST_SKIP() << "needs the right to mount a small disk";
   write_file(job.path("full/filler"), std::string(8192, 'x'));
-  EXPECT_THAT(refusal([&] { write_flow_grid(job.flow, job.path("full/flow.h5")); }), HasSubstr("disk full?"));
-  EXPECT_FALSE(std::filesystem::exists(job.path("full/flow.h5.part")));
+  EXPECT_THAT(refusal([&] { write_flow_grid(job.flow, job.path("full/flow.h5")); }),
+              HasSubstr("No space left"));
+  EXPECT_EQ(files_in(job.path("full")), std::vector<std::string>{"filler"});
 }
 
 TEST(FullDisk, AStateThatCannotBeWrittenCostsOnlyTheState) {
@@ -78,7 +78,7 @@ TEST(FullDisk, AStateThatCannotBeWrittenCostsOnlyTheState) {
   EXPECT_THAT(run.said, HasSubstr("the state could not be saved: "));
   EXPECT_THAT(run.said, HasSubstr("cannot be written: File too large"));
   EXPECT_FALSE(std::filesystem::exists(job.path("out/run_0001.h5")));
-  EXPECT_FALSE(std::filesystem::exists(job.path("out/run_0001.h5.part")));
+  EXPECT_THAT(files_in(job.path("out")), testing::Each(Not(HasSubstr(".part"))));
   EXPECT_EQ(job.complete("out", "1"), "");
 }
 
@@ -88,6 +88,16 @@ TEST(FullDisk, ALimitOnFilesIsALineToo) {
   const Limited run = limited(job, "ulimit -f 8", "out", "--seeds 1");
   EXPECT_EQ(run.status, 1) << run.said;
   EXPECT_THAT(run.said, HasSubstr("cannot be written"));
+}
+
+TEST(ReadOnly, AFolderInThePlaceOfTheLedger) {
+  const SmallJob job;
+  std::filesystem::create_directories(job.path("out/ensemble.csv"));
+  const Program program = job.start("out", "1");
+  EXPECT_EQ(program.wait(), 1);
+  EXPECT_THAT(program.said(), HasSubstr("ensemble.csv (cannot be written: Is a directory)"));
+  EXPECT_THAT(program.said(), HasSubstr("1 seeds are done but not listed in "));
+  EXPECT_TRUE(std::filesystem::exists(job.path("out/run_0001.h5")));
 }
 
 TEST(ReadOnly, AFileInThePlaceOfTheDirectory) {

@@ -1,6 +1,7 @@
 // Damaged and foreign states: recognised, said, the one before used; never a wrong result.
 #include <gmock/gmock.h>
 
+#include "dem/checkpoint.hpp"
 #include "tests/faults/program.hpp"
 
 namespace clog::test {
@@ -17,7 +18,7 @@ protected:
     const Program program = job_->start("stopped", "1");
     ASSERT_TRUE(appears(job_->path("stopped/run_0001.state.old")));
     program.send(SIGTERM);
-    ASSERT_EQ(program.wait(), 0);
+    ASSERT_EQ(program.wait(), 128 + SIGTERM);
     newest_ = text_of(job_->path("stopped/run_0001.state"));
     older_ = text_of(job_->path("stopped/run_0001.state.old"));
     ASSERT_NE(newest_, older_);
@@ -54,7 +55,7 @@ TEST_F(States, CutShortAnywhereTheOneBeforeIsUsed) {
     EXPECT_THAT(said, HasSubstr("run_0001.state is not used: "));
     EXPECT_THAT(said, testing::AnyOf(HasSubstr("cut short"), HasSubstr("checksum")));
     EXPECT_THAT(said, HasSubstr("goes on from ")) << length;
-    EXPECT_THAT(said, HasSubstr("run_0001.state.old\n"));
+    EXPECT_THAT(said, HasSubstr("run_0001.state.old "));
   }
 }
 
@@ -68,7 +69,7 @@ TEST_F(States, BothBadTheRunStartsAnew) {
   const std::string said = resume(flipped(newest_, newest_.size() / 3), older_.substr(0, 100));
   EXPECT_THAT(said, HasSubstr("run_0001.state is not used: its checksum does not fit"));
   EXPECT_THAT(said, HasSubstr("run_0001.state.old is not used: its checksum does not fit"));
-  EXPECT_THAT(said, HasSubstr("seed 1: starts anew"));
+  EXPECT_THAT(said, HasSubstr("seed 1: no saved state is left to go on from, starts anew"));
 }
 
 TEST_F(States, AFolderInThePlaceOfAState) {
@@ -86,41 +87,66 @@ TEST_F(States, ABadNewestNeverReplacesTheGoodOlder) {
   const auto folder = job_->path("pushed");
   write_file(folder / "run_0001.state", newest_.substr(0, 300));
   write_file(folder / "run_0001.state.old", older_);
-  // A folder under the name of the part file: no new state can be written.
-  std::filesystem::create_directories(folder / "run_0001.state.part");
-  const Program program = job_->start("pushed", "1");
-  EXPECT_EQ(program.wait(), 0);
-  EXPECT_THAT(program.said(), HasSubstr("the state could not be saved: "));
-  EXPECT_THAT(program.said(), HasSubstr("goes on from "));
+  // Room for 4 kB a file: no new state can be written, nor the result.
+  const std::string call = fmt::format(
+      "(trap '' XFSZ; ulimit -f 4; exec {} run {} --flow {} --out {} --seeds 1) 2>&1 | cat > {}",
+      CLOG_PROGRAM, job_->path("scene.toml").string(), job_->path("flow.h5").string(),
+      folder.string(), job_->path("log").string());
+  std::system(call.c_str());
+  const std::string said = text_of(job_->path("log"));
+  EXPECT_THAT(said, HasSubstr("the state could not be saved: "));
+  EXPECT_THAT(said, HasSubstr("goes on from "));
+  EXPECT_EQ(text_of(folder / "run_0001.state.old"), older_);
   // A disk that stays full is said once, not at every interval.
-  const std::string said = program.said();
   EXPECT_EQ(said.find("could not be saved"), said.rfind("could not be saved"));
 }
 
-TEST_F(States, OfAnotherSceneSeedOrFlowIsNotUsed) {
-  const auto put = [&](const std::string& folder, const std::string& name) {
-    write_file(job_->path(folder) / name, newest_);
-  };
-  put("scene", "run_0001.state");
-  const Program scene = job_->start("scene", "1", {"--set", "contact.friction.sliding=0.5"});
-  EXPECT_EQ(scene.wait(), 0);
-  EXPECT_THAT(scene.said(), HasSubstr("it belongs to another scene, flow, program or kind of processor"));
-  put("seed", "run_0002.state");
-  const Program seed = job_->start("seed", "2");
-  EXPECT_EQ(seed.wait(), 0);
-  EXPECT_THAT(seed.said(), HasSubstr("it belongs to another scene"));
+/// Started in a folder that holds this state: refused, and the state is as it was. \return what was said
+std::string refused(const SmallJob& job, const std::string& folder, const std::string& name, const std::string& state,
+                    const std::vector<std::string>& words) {
+  const auto file = job.path(folder) / name;
+  write_file(file, state);
+  std::vector<std::string> all{"run", job.path("scene.toml"), "--out", job.path(folder)};
+  all.insert(all.end(), words.begin(), words.end());
+  const Program program(all, job.path("log"));
+  EXPECT_EQ(program.wait(), 1);
+  EXPECT_TRUE(text_of(file) == state) << folder;
+  EXPECT_FALSE(std::filesystem::exists(std::filesystem::path(file).replace_extension(".h5")));
+  return program.said();
+}
+
+TEST_F(States, OfAnotherSceneSeedFlowOrBuildAreRefusedAndKept) {
+  const std::string flow = job_->path("flow.h5");
+  EXPECT_THAT(refused(*job_, "scene", "run_0001.state", newest_, {"--seeds", "1", "--flow", flow, "--set", "contact.friction.sliding=0.5"}),
+              HasSubstr("run_0001.state: was made for another scene (contact.friction.sliding = 0.6, now 0.5): give another --out"));
+  EXPECT_THAT(refused(*job_, "seed", "run_0002.state", newest_, {"--flow", flow, "--seeds", "2"}),
+              HasSubstr("run_0002.state belongs to seed 1: give another --out, or remove it"));
   // Solved again on another mesh: the same scene, other numbers.
-  put("flow", "run_0001.state");
   FlowGrid other = job_->flow;
   other.velocity[other.velocity.size() / 2] += 1e-6f;
   write_flow_grid(other, job_->path("other.h5"));
-  const std::vector<std::string> words{"run", job_->path("scene.toml"), "--flow", job_->path("other.h5"),
-                                       "--out", job_->path("flow"), "--seeds", "1"};
-  const Program flow(words, job_->path("log"));
-  EXPECT_EQ(flow.wait(), 0);
-  EXPECT_THAT(flow.said(), HasSubstr("it belongs to another scene"));
-  // Nor is a finished file of it taken for this one.
-  const Program done = job_->start("flow", "1");
+  EXPECT_THAT(refused(*job_, "flow", "run_0001.state", newest_, {"--seeds", "1", "--flow", job_->path("other.h5")}),
+              HasSubstr("run_0001.state: was made with another flow, or other files of particles or walls"));
+  OwnedState owned = unpack_state(newest_);
+  owned.owner.build = "another build";
+  EXPECT_THAT(refused(*job_, "build", "run_0001.state", pack_state(owned), {"--seeds", "1", "--flow", flow}),
+              HasSubstr("run_0001.state was made by another build of the program (another build; this is "));
+  owned = unpack_state(newest_);
+  owned.owner.instruction_set = "mmx";
+  EXPECT_THAT(refused(*job_, "set", "run_0001.state", pack_state(owned), {"--seeds", "1", "--flow", flow}),
+              testing::AllOf(HasSubstr("was made with the instruction set mmx (here "), HasSubstr("set CLOG_ISA=mmx")));
+  EXPECT_THAT(refused(*job_, "old", "run_0001.state", "clogflow state 2\n and so on", {"--seeds", "1", "--flow", flow}),
+              HasSubstr("run_0001.state was made by another version of the program"));
+}
+
+TEST_F(States, AFinishedFileOfAnotherFlowIsNotTakenForThisOne) {
+  FlowGrid other = job_->flow;
+  other.velocity[other.velocity.size() / 2] += 1e-6f;
+  write_flow_grid(other, job_->path("other.h5"));
+  std::filesystem::create_directories(job_->path("done"));
+  std::filesystem::copy_file(job_->path("undisturbed/run_0001.h5"), job_->path("done/run_0001.h5"));
+  const Program done({"run", job_->path("scene.toml"), "--flow", job_->path("other.h5"), "--out", job_->path("done"), "--seeds", "1"},
+                     job_->path("log"));
   EXPECT_EQ(done.wait(), 1);
   EXPECT_THAT(done.said(), HasSubstr("was made with another flow, or other files of particles or walls"));
 }

@@ -162,8 +162,12 @@ TEST_F(FlowReference, VelocityOfOpenFoamItself) {
 TEST_F(FlowReference, VelocityThroughTheGrid) {
   const FlowGrid grid = map_flow(folder);
   const Deviation smooth = through_grid(grid, Lookup::trilinear, &ReferencePoint::velocity, 1);
-  EXPECT_LT(smooth.rms, 0.0015);
+  EXPECT_LT(smooth.rms, 0.00092);
   EXPECT_LT(smooth.largest, 0.02);
+  // Every plane, those between long cells included, which waver by 2 % before their flow rate is
+  // restored.
+  EXPECT_GT(grid.provenance["flow_rate_restored"], 0.01);
+  EXPECT_LT(grid.provenance["grid_flux_largest_error"], 0.003);
   // What is told is not below the error.
   const auto& told = grid.provenance["mesh_error"];
   EXPECT_TRUE(told["extrapolated"]);

@@ -4,7 +4,7 @@
 #include "postprocess/bursts.hpp"
 #include "postprocess/distributions.hpp"
 #include "postprocess/lapses.hpp"
-#include "postprocess/totals.hpp"
+#include "postprocess/quantities.hpp"
 #include "tests/postprocess/samples.hpp"
 
 namespace clog::postprocess {
@@ -149,6 +149,16 @@ TEST(Totals, halves_add_up_to_the_whole) {
   for (const auto& quantity : quantities()) {
     EXPECT_DOUBLE_EQ(quantity.value(sum), quantity.value(all)) << quantity.key;
   }
+}
+
+// Passages at 1 and 2, then nothing until 20: the arrest began in the first half, and fills the second.
+TEST(Totals, the_time_of_an_arrest_belongs_to_where_it_passes) {
+  SeedRecord record;
+  record.window = {0, 20};
+  record.lapses = lapses_of(run_with({1, 2}, 20), record.window);
+  const ClogScale scale{4, 2};
+  EXPECT_EQ(value("share_clogged", totals_of(record, scale, {0, 10})), 0.8);
+  EXPECT_EQ(value("share_clogged", totals_of(record, scale, {10, 20})), 1);
 }
 
 TEST(Totals, a_clog_that_outlives_the_run_is_permanent) {

@@ -3,6 +3,7 @@
 
 #include "postprocess/goodness_of_fit.hpp"
 #include "postprocess/number_column.hpp"
+#include "postprocess/pareto_tail.hpp"
 #include "postprocess/power_law.hpp"
 #include "tests/postprocess/samples.hpp"
 #include "tests/test_data.hpp"
@@ -47,11 +48,11 @@ TEST(PowerLaw, ties_are_treated_as_in_plfit) {
 // and 2/4.
 TEST(PowerLaw, ties_by_hand) {
   const SortedSample sample({2, 1, 4, 2});
-  const auto tail = power_law_tail(sample, 0, 1.0);
+  const auto tail = ParetoTail::of(sample, 0, 1.0);
   EXPECT_NEAR(tail.alpha, 1.0 + 4.0 / std::log(16.0), 1e-14);
   const double at_first_two = 1.0 - std::exp(-1.0) - 0.25;
-  EXPECT_NEAR(ks_deviation(sample, tail, 1), at_first_two, 1e-14);
-  EXPECT_NEAR(ks_deviation(sample, tail, 2), 1.0 - std::exp(-1.0) - 0.5, 1e-14);
+  EXPECT_NEAR(tail.deviation(sample, 1, tail.law_at(sample, 1)), at_first_two, 1e-14);
+  EXPECT_NEAR(tail.deviation(sample, 2, tail.law_at(sample, 2)), 1.0 - std::exp(-1.0) - 0.5, 1e-14);
   EXPECT_NEAR(ks_distance_all_points(sample, tail), at_first_two, 1e-14);
 }
 
@@ -61,7 +62,7 @@ PowerLawFit every_candidate(const SortedSample& sample) {
   best.ks = 2;
   const auto& distinct = sample.distinct();
   for (std::size_t k = 0; k + 1 < distinct.size(); ++k) {
-    const auto tail = power_law_tail(sample, distinct[k], sample.value(distinct[k]));
+    const auto tail = ParetoTail::of(sample, distinct[k], sample.value(distinct[k]));
     const double ks = ks_distance_all_points(sample, tail);
     if (ks < best.ks)
       best = {tail.alpha, sample.value(distinct[k]),  0,

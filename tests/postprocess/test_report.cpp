@@ -1,6 +1,11 @@
 // The report of a small ensemble, and what is said when a tool is missing.
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <cstdlib>
 #include <fstream>
+#include <set>
 
 #include <gmock/gmock.h>
 
@@ -44,11 +49,33 @@ protected:
   }
   void TearDown() override { std::filesystem::remove_all(here_); }
 
-  void make(const std::filesystem::path& runs) {
+  void make_statistics(const std::filesystem::path& runs) {
     StatisticsJob job{.folders = {runs}, .out = here_ / "stats", .threshold = {}, .request = {}};
     job.request.p_value_replicates = 20;
     write_statistics(job);
+  }
+
+  void make(const std::filesystem::path& runs) {
+    make_statistics(runs);
     make_report(here_ / "stats", here_ / "report");
+  }
+
+  /// A shell script in the place of python.
+  std::string interpreter(const std::string& lines) const {
+    std::filesystem::create_directories(here_);
+    const auto file = here_ / "python3";
+    std::ofstream(file) << "#!/bin/sh\n" << lines << "\n";
+    std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+    return file;
+  }
+
+  /// The page without its pictures.
+  std::string page() {
+    std::string text = text_of(here_ / "report" / "report.html");
+    const std::string start = "base64,";
+    for (std::size_t at = 0; (at = text.find(start, at)) != std::string::npos; at += start.size())
+      text.erase(at + start.size(), text.find('"', at) - at - start.size());
+    return text;
   }
 
   std::filesystem::path here_;
@@ -81,13 +108,119 @@ TEST_F(Report, without_any_passage_the_figures_say_so) {
   EXPECT_THAT(text_of(here_ / "report" / "series.svg"), HasSubstr("no time series in these runs"));
 }
 
+// Half a page, then killed: what was there stays, and nothing half lies under a final name.
+TEST_F(Report, a_script_that_is_killed_leaves_the_older_report) {
+  std::filesystem::create_directories(here_ / "report");
+  std::ofstream(here_ / "report" / "report.html") << "older";
+  const Environment override(
+      "CLOG_PYTHON",
+      interpreter("[ \"$1\" = -c ] && exit 0\necho half > \"$4/report.html\"\nkill -9 $$"));
+  EXPECT_THAT(refusal([&] { make_report(here_, here_ / "report"); }),
+              AllOf(HasSubstr("report: no figures ("), HasSubstr("ended by signal 9, Killed")));
+  EXPECT_EQ(text_of(here_ / "report" / "report.html"), "older");
+  EXPECT_EQ(files_in(here_ / "report"), std::vector<std::string>{"report.html"});
+}
+
+// The caller is killed while its script draws on: the next call leaves the script's folder alone,
+// and one after the script's end clears it.
+TEST_F(Report, what_a_killed_call_left_is_cleared_when_its_script_has_ended) {
+  std::filesystem::create_directories(here_ / "report");
+  const Environment override(
+      "CLOG_PYTHON",
+      interpreter("[ \"$1\" = -c ] && exit 0\n"
+                  "[ ! -e \"$3/wait\" ] || { mkfifo \"$3/end\"; read x < \"$3/end\"; }\n"
+                  "echo page > \"$4/report.html\"\necho \"wrote $4/report.html\""));
+  std::ofstream(here_ / "wait") << "";
+  const pid_t killed = fork();
+  if (killed == 0) {
+    make_report(here_, here_ / "report");
+    _exit(0);
+  }
+  for (int k = 0; k < 2000 && !std::filesystem::exists(here_ / "end"); ++k) usleep(5000);
+  kill(killed, SIGKILL);
+  waitpid(killed, nullptr, 0);
+  std::filesystem::remove(here_ / "wait");
+  make_report(here_, here_ / "report");
+  EXPECT_THAT(files_in(here_ / "report"),
+              testing::ElementsAre(".drawing.clog.part", ".drawing.clog.part.d", "report.html"));
+  std::ofstream(here_ / "end") << "now\n";
+  const auto left = here_ / "report" / ".drawing.clog.part.d" / "report.html";
+  for (int k = 0; k < 2000 && !std::filesystem::exists(left); ++k) usleep(5000);
+  for (int k = 0; k < 400 && files_in(here_ / "report").size() > 1; ++k)
+    make_report(here_, here_ / "report");
+  EXPECT_THAT(files_in(here_ / "report"), testing::ElementsAre("report.html"));
+}
+
+/// A run whose passages come at these times [s]; T_min is 3.3 ms.
+RunData run_with_passages(std::uint64_t seed, const std::vector<double>& times) {
+  auto run = synthetic_run({.end = 0.1, .snapshot_interval = 0, .more = {}}, seed);
+  run.passages = {};
+  for (const double time : times) add_passage(run, time, 0);
+  return run;
+}
+
+TEST_F(Report, what_cannot_be_known_is_said_in_its_place) {
+  std::filesystem::create_directories(here_ / "runs");
+  for (std::uint64_t seed = 1; seed <= 4; ++seed)
+    write_run_file(run_with_passages(seed, {0.01}), here_ / "runs" / run_file_name(seed));
+  make(here_ / "runs");
+  EXPECT_THAT(page(), AllOf(HasSubstr("&lt; 1.227 <span class=quiet>no arrest that a passage ended"),
+                          HasSubstr("1 <span class=quiet>[1, 2.515] resampled seeds all agree; "
+                                    "interval of the counts"),
+                          Not(HasSubstr("[1, 1]"))));
+}
+
+// Bursts of 2 and 30 only, arrests that last 10 ms or 12 ms, and a second half that flows half as much.
+TEST_F(Report, laws_that_are_ruled_out_and_runs_that_drift_are_marked) {
+  std::filesystem::create_directories(here_ / "runs");
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    RandomStream random(seed, 5);
+    std::vector<double> times;
+    auto run = synthetic_run({.end = 4, .snapshot_interval = 0, .more = {}}, seed);
+    for (double t = 0; t < 3.9;) {
+      for (int k = t < 2 && random.uniform() < 0.5 ? 30 : 2; k > 0; --k) times.push_back(t += 1e-4);
+      t += random.uniform() < 0.5 ? 0.010 : 0.012;
+    }
+    run.passages = {};
+    for (const double time : times) add_passage(run, time, 0);
+    write_run_file(run, here_ / "runs" / run_file_name(seed));
+  }
+  make(here_ / "runs");
+  EXPECT_THAT(page(), AllOf(HasSubstr("<span class=\"ages\">power law ruled out (p &lt; 0.05): misses"),
+                          HasSubstr("<span class=\"ages\">drifts: the halves differ</span>"),
+                          HasSubstr("<span class=\"ages\">ruled out (p &lt; 0.001)</span>")));
+  EXPECT_THAT(text_of(here_ / "report" / "bursts.svg"), HasSubstr("geometric law: ruled out"));
+  EXPECT_THAT(text_of(here_ / "report" / "lapses.svg"), HasSubstr("ruled out: misses by"));
+}
+
+/// Puts markup behind every text of a document but the words that decide what is drawn.
+void spoil(nlohmann::json& value, const std::string& key = "") {
+  static const std::set<std::string> kept{"format", "file", "keys", "key", "protocol"};
+  if (kept.contains(key)) return;
+  if (value.is_string()) value = value.get<std::string>() + "<i>&$^$";
+  if (value.is_array())
+    for (auto& each : value) spoil(each, key);
+  if (value.is_object())
+    for (auto& [name, each] : value.items()) spoil(each, name);
+}
+
+TEST_F(Report, foreign_text_is_no_markup_in_the_page_and_no_mathematics_in_a_figure) {
+  SyntheticEnsemble ensemble{.end = 0.3, .snapshot_interval = 0, .more = {}};
+  write_ensemble(here_ / "runs" / "a", ensemble, 2);
+  ensemble.diameter = "50 um";
+  write_ensemble(here_ / "runs" / "b", ensemble, 2);
+  make_statistics(here_ / "runs");
+  auto statistics = nlohmann::json::parse(text_of(here_ / "stats" / "stats.json"));
+  spoil(statistics);
+  std::ofstream(here_ / "stats" / "stats.json") << statistics;
+  make_report(here_ / "stats", here_ / "report");
+  EXPECT_THAT(page(), AllOf(HasSubstr("&lt;i&gt;&amp;$^$"), Not(HasSubstr("<i>"))));
+}
+
 TEST_F(Report, a_missing_module_is_named) {
-  std::filesystem::create_directories(here_);
-  const auto python = here_ / "python3";
-  std::ofstream(python)
-      << "#!/bin/sh\necho \"ModuleNotFoundError: No module named 'h5py'\" >&2\nexit 1\n";
-  std::filesystem::permissions(python, std::filesystem::perms::owner_all);
-  const Environment override("CLOG_PYTHON", python.string());
+  const Environment override(
+      "CLOG_PYTHON",
+      interpreter("echo \"ModuleNotFoundError: No module named 'h5py'\" >&2\nexit 1"));
   EXPECT_THAT(refusal([&] { make_report(here_, here_); }),
               AllOf(HasSubstr("No module named 'h5py'"),
                     HasSubstr("apt-get install python3-matplotlib python3-h5py")));

@@ -60,6 +60,11 @@ TEST_F(StatisticsFiles, recovers_the_laws_that_made_the_runs) {
               number(group, "alpha_fixed"), 1e-12);
   EXPECT_GT(group["power_law"]["fixed"]["p_value"].get<double>(), 0.02);
   EXPECT_EQ(group["power_law"]["fixed"]["exponential"]["favoured"], "power law");
+  EXPECT_FALSE(group["power_law"]["fixed"]["discrete"].get<bool>());
+  const auto& headline = group["quantities"]["alpha_fixed"];
+  EXPECT_FALSE(headline["ruled_out"].get<bool>());
+  EXPECT_THAT(headline["verdict"].get<std::string>(), HasSubstr("power law not ruled out (p = "));
+  EXPECT_FALSE(group["bursts"]["geometric"]["ruled_out"].get<bool>());
   const auto& mean = group["quantities"]["mean_burst"];
   EXPECT_LT(mean["low"], mean["value"]);
   EXPECT_GT(mean["high"], mean["value"]);
@@ -85,6 +90,10 @@ TEST_F(StatisticsFiles, releases) {
   EXPECT_EQ(group["bursts"]["first"], 6);
   EXPECT_GT(group["arrests"]["ended_by_release"].get<int>(), 500);
   EXPECT_EQ(group["power_law"]["fixed_censored"]["refused"], "no arrest that ended with a passage");
+  const auto& alpha = group["quantities"]["alpha_fixed"];
+  EXPECT_TRUE(alpha["value"].is_null() && alpha["low"].is_null());
+  EXPECT_LT(alpha["high"].get<double>(), 1.1);
+  EXPECT_EQ(alpha["note"], "no arrest that a passage ended");
 }
 
 TEST_F(StatisticsFiles, tables_carry_units) {
@@ -191,7 +200,7 @@ TEST_F(StatisticsFiles, an_output_that_cannot_be_written_is_named) {
   EXPECT_THAT(refusal([&] { statistics_of({runs}); }), HasSubstr("stats: cannot be created"));
   std::filesystem::remove(here_ / "stats");
   std::filesystem::create_directories(here_ / "stats" / "stats.json");
-  EXPECT_THAT(refusal([&] { statistics_of({runs}); }), HasSubstr("stats.json: cannot be renamed"));
+  EXPECT_THAT(refusal([&] { statistics_of({runs}); }), HasSubstr("stats.json (cannot be written: Is a directory)"));
 }
 
 TEST(Filling, an_empty_start_counts_from_the_full_channel) {

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include "coupling/source_folder.hpp"
 #include "postprocess/child_process.hpp"
 #include "tests/postprocess/synthetic_ensemble.hpp"
 #include "tests/scratch.hpp"
@@ -12,6 +13,7 @@
 namespace clog::postprocess {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -22,6 +24,13 @@ ChildResult clog(std::vector<std::string> words) {
 
 std::filesystem::path temporary(const char* name) { return scratch_folder() / name; }
 
+/// By a shell that first lets no file grow over a kilobyte, as on a full disk.
+ChildResult clog_without_room(const std::string& words) {
+  return run_program(
+      {"/bin/sh", "-c",
+       std::string("trap '' XFSZ; ulimit -f 1; exec ") + CLOG_PROGRAM + " " + words});
+}
+
 TEST(Fit, prints_json) {
   const auto plain = clog({"fit", clog::test_data("csn_surnames.txt")});
   ASSERT_EQ(plain.status, 0) << plain.output;
@@ -31,6 +40,24 @@ TEST(Fit, prints_json) {
   EXPECT_FALSE(json.contains("p_value"));
   for (const char* key : {"xmin", "sigma", "n_tail", "ks", "ties", "exponential"})
     EXPECT_TRUE(json.contains(key)) << key;
+}
+
+// The continuous law has 4.88 for these counts of a law with 2.5, and cannot be told from a good fit.
+TEST(Fit, whole_numbers_have_the_discrete_law) {
+  const std::string file = clog::test_data("cases/counts61.txt");
+  const auto json = nlohmann::json::parse(clog({"fit", file, "--xmin", "1"}).output);
+  EXPECT_NEAR(json["alpha"].get<double>(), 2.5, 2 * json["sigma"].get<double>());
+  EXPECT_EQ(json["discrete"], true);
+  EXPECT_EQ(json["discrete_from"], "values");
+  const auto continuous =
+      nlohmann::json::parse(clog({"fit", file, "--xmin", "1", "--continuous"}).output);
+  EXPECT_EQ(continuous["discrete"], false);
+  EXPECT_EQ(continuous["discrete_from"], "given");
+  EXPECT_THAT(continuous["notes"][0].get<std::string>(), HasSubstr("whole numbers"));
+  EXPECT_EQ(clog({"fit", file, "--continuous", "--discrete"}).status, 2);
+  const auto refused = clog({"fit", clog::test_data("csn_surnames.txt"), "--discrete"});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.output, HasSubstr("needs whole numbers"));
 }
 
 TEST(Fit, p_value_with_and_without_a_number_and_seeded) {
@@ -89,6 +116,33 @@ TEST(Stats, threshold_needs_a_time) {
   EXPECT_THAT(refused.output,
               HasSubstr("--threshold 3 m (must be a positive time such as '3.3 ms')"));
   EXPECT_EQ(clog({"stats", "."}).status, 2);
+}
+
+TEST(Info, the_effective_scene_into_a_file) {
+  const auto scene = (source_folder() / "scenes" / "paper.toml").string();
+  const auto file = temporary("effective.toml");
+  const auto printed = clog({"info", scene, "--effective"});
+  EXPECT_EQ(clog({"info", scene, "--effective", "--out", file.string()}).status, 0);
+  std::ifstream in(file);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), printed.output);
+  EXPECT_EQ(clog({"info", scene, "--out", file.string()}).status, 1);
+}
+
+TEST(FullDisk, stats_says_why_and_leaves_nothing_unfinished) {
+  const auto here = temporary("full");
+  write_ensemble(here / "runs", {.mean_burst = 5, .end = 0.3, .more = {}}, 2);
+  const auto failed = clog_without_room("stats " + (here / "runs").string() + " --out " +
+                                        (here / "stats").string());
+  EXPECT_EQ(failed.status, 1);
+  EXPECT_THAT(failed.output,
+              AllOf(StartsWith("clog: "), HasSubstr("(cannot be written: File too large)")));
+  EXPECT_THAT(files_in(here / "stats"), testing::Each(testing::Not(HasSubstr(".part"))));
+  const auto walls =
+      clog_without_room("walls " + (source_folder() / "scenes" / "paper.toml").string() +
+                        " --out " + (here / "walls.stl").string());
+  EXPECT_EQ(walls.status, 1);
+  EXPECT_THAT(walls.output, HasSubstr("walls.stl (cannot be written: File too large)"));
+  EXPECT_THAT(files_in(here), testing::ElementsAre("runs", "stats"));
 }
 
 }  // namespace

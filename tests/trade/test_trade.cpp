@@ -11,6 +11,7 @@
 #include "trade/fidelity.hpp"
 #include "trade/results.hpp"
 #include "trade/sample.hpp"
+#include "trade/study_file.hpp"
 
 namespace clog::test {
 namespace {
@@ -92,6 +93,21 @@ TEST(TradePresets, FollowTheirRuleOverAllStudies) {
   EXPECT_EQ(cheapest_within(both, 0.089)["name"], "c");
   EXPECT_THAT(refusal([&] { cheapest_within(json{{"settings", json::array()}}, 0.01); }),
               HasSubstr("no setting was measured to be within 0.01"));
+}
+
+TEST(TradePresets, RefuseWhatIsNoStudy) {
+  const ScratchFolder scratch;
+  const auto file = scratch.path() / "trade.json";
+  json nameless = study_with({entry("a", 1, 0)}, 1), worded = nameless;
+  nameless["settings"][0].erase("name");
+  worded["settings"][0]["gain"] = "much";
+  for (const std::string& text : {nameless.dump(), worded.dump(), std::string("[1]"), std::string("{\"format\": 7}"),
+                                  std::string(100'000, '['), std::string("no JSON")}) {
+    std::ofstream(file) << text;
+    EXPECT_THAT(refusal([&] { read_study(file); }), HasSubstr("trade.json: not a trade.json of clog trade, or damaged"));
+  }
+  std::ofstream(file) << study_with({entry("a", 1, 0)}, 1).dump();
+  EXPECT_EQ(read_study(file).at("reference"), "a");
 }
 
 TEST(TradePresets, AreThoseOfTheCommittedStudy) {

@@ -1,0 +1,82 @@
+// What the solver writes is what the statistics read: names and meanings, with no fixture between.
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "coupling/run_file.hpp"
+#include "coupling/run_record.hpp"
+#include "coupling/source_folder.hpp"
+#include "postprocess/child_process.hpp"
+#include "tests/scratch.hpp"
+
+namespace clog::postprocess {
+namespace {
+
+using nlohmann::json;
+
+/// A channel of some ten particles in a uniform flow, filled behind a gate: a second of computing.
+class RealRun : public testing::Test {
+protected:
+  static void SetUpTestSuite() {
+    here_ = scratch_folder() / "clog_real_run";
+    std::filesystem::remove_all(here_);
+    run({"run", source_folder() / "scenes" / "paper.toml", "--out", here_, "--seeds", "1"},
+        settings());
+    run({"stats", here_, "--out", here_ / "stats", "--p-value", "10"}, {});
+    group_ = json::parse(std::ifstream(here_ / "stats" / "stats.json"))["groups"][0];
+    data_ = read_run_file(here_ / run_file_name(1));
+  }
+  static void TearDownTestSuite() { std::filesystem::remove_all(here_); }
+
+  static std::vector<std::string> settings() {
+    return {"flow.source=uniform",    "flow.velocity=5 mm/s", "particles.diameter=50 um",
+            "inlet.taps=1",           "time.end=20 ms",       "geometry.channel_length=200 um",
+            "time.mass_scale=10",     "unclog.after=3 ms",    "time.rotational_inertia_scale=5",
+            "time.step_fraction=0.04"};
+  }
+
+  static void run(std::vector<std::string> words, const std::vector<std::string>& overrides) {
+    words.insert(words.begin(), CLOG_PROGRAM);
+    for (const std::string& each : overrides) words.insert(words.end(), {"--set", each});
+    const ChildResult result = run_program(words);
+    ASSERT_EQ(result.status, 0) << result.output;
+  }
+
+  static inline std::filesystem::path here_;
+  static inline json group_;
+  static inline RunData data_;
+};
+
+TEST_F(RealRun, records_every_name_that_is_read_again) {
+  for (const char* name :
+       {run_record::wall_time, run_record::fill_time, run_record::time_step,
+        run_record::contact_limit, run_record::particle_steps, run_record::particle_steps_per_s})
+    EXPECT_GT(data_.provenance.at(name).get<double>(), 0) << name;
+  EXPECT_TRUE(data_.provenance.at(run_record::inputs_hash).is_string());
+}
+
+TEST_F(RealRun, statistics_carry_its_record) {
+  const json& run = group_.at("runs").at(0);
+  EXPECT_EQ(run.at("filling_time"), data_.provenance.at(run_record::fill_time));
+  EXPECT_GT(run.at("filling_time").get<double>(), 0);
+  EXPECT_EQ(run.at("wall_time"), data_.provenance.at(run_record::wall_time));
+  EXPECT_EQ(run.at("end"), data_.end_time);
+  EXPECT_EQ(run.at("passages"), data_.passages.time.size());
+  EXPECT_EQ(run.at("releases"), data_.releases.off.size());
+  EXPECT_EQ(group_.at("provenance"), data_.provenance);
+}
+
+TEST_F(RealRun, statistics_carry_its_series) {
+  EXPECT_GT(group_.at("steady").at("particles").at("value").get<double>(), 0);
+  EXPECT_GT(group_.at("steady").at("packing_fraction").at("value").get<double>(), 0.1);
+  EXPECT_EQ(group_.at("steady").at("porosity").size(), data_.series.porosity.front().size());
+}
+
+TEST_F(RealRun, becomes_a_report) {
+  run({"report", here_ / "stats"}, {});
+  EXPECT_TRUE(std::filesystem::exists(here_ / "stats" / "report" / "report.html"));
+}
+
+}  // namespace
+}  // namespace clog::postprocess
