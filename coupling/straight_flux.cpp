@@ -63,7 +63,8 @@ double restore_flow_rate(FlowGrid& grid, const Scene& scene) {
   const double bend = -narrowing_length(scene);
   const double rate = scene.flow.mean_velocity * g.channel_width * g.neck_height;
   double largest = 0;
-  for (int i = 0; i < grid.points[0]; ++i) {
+  // The first plane is the series solution of the duct, better than the rule for its flux.
+  for (int i = 1; i < grid.points[0]; ++i) {
     const double x = grid.origin.x() + i * grid.spacing;
     const bool expanded =
         g.expansion_width > 0 && x > 0 && shape.width(x) > (1 - 1e-9) * g.expansion_width;

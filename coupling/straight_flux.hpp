@@ -18,7 +18,8 @@ double integral_between_walls(const std::vector<double>& values, double before, 
 /// of the scene by one factor on its velocity. There the cells are up to half a neck width long,
 /// and the interpolation between them, through their centres here and their faces there, wavers
 /// along them although the fluxes of the mesh's own faces agree; where cells are short it does not,
-/// and nothing is changed. \return the largest relative error of the flow rate that was found
+/// and nothing is changed, nor is the first plane, which is the series solution.
+/// \return the largest relative error of the flow rate that was found
 /// \throws Error where that is above flux_tolerance: no matter of interpolation
 double restore_flow_rate(FlowGrid& grid, const Scene& scene);
 

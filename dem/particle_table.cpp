@@ -96,9 +96,10 @@ void check_coordinates(const ParticleTable& table, const std::string& where) {
   const std::pair<const char*, double Particle::*> wanted[] = {
       {"x", &Particle::x}, {"y", &Particle::y}, {"z", &Particle::z}};
   const ParticleColumn* first = nullptr;
-  for (const auto& [name, member] : wanted) {
+  for (const auto& each : wanted) {
+    const char* name = each.first;
     const auto column = std::find_if(table.columns.begin(), table.columns.end(),
-                                     [&](const ParticleColumn& c) { return c.member == member; });
+                                     [&](const ParticleColumn& c) { return c.member == each.second; });
     require(column != table.columns.end(),
             "{}: there is no column {} (a header must name x, y and z)", where, name);
     if (!first) first = &*column;

@@ -1,6 +1,7 @@
 // One run: the state of one seed and its steps.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <functional>
@@ -124,6 +125,7 @@ private:
     int particle = 0, other = -1;  ///< other < 0: a wall
     double overlap = 0;            ///< [m]
   };
+  double largest_overlap() const { return std::max(pair_tally_.largest_overlap, wall_tally_.largest_overlap); }  // [m]
   Deepest deepest() const;  ///< the deepest contact
   std::string describe_contact(const Deepest& contact) const;
   std::string remedy(const ParticleState& worst) const;

@@ -154,7 +154,7 @@ double Simulation::kinetic_energy() const {
 
 void Simulation::check_overlap() {
   if (particles_.size() == 0) return;
-  const double overlap = std::max(pair_tally_.largest_overlap, wall_tally_.largest_overlap);
+  const double overlap = largest_overlap();
   if (!(overlap <= deepest_overlap * 2 * neighbours_.smallest_radius)) blow_up("pressed too deep", deepest().particle);
   if (step_watch_.deep || overlap <= deep_overlap * 2 * neighbours_.smallest_radius) return;
   step_watch_.deep = true;
@@ -209,19 +209,23 @@ std::string Simulation::remedy(const ParticleState& worst) const {
   const double speed = std::sqrt(worst.vx * worst.vx + worst.vy * worst.vy + worst.vz * worst.vz);
   if (!std::isfinite(speed) || !std::isfinite(worst.x + worst.y + worst.z))
     return "a number became infinite or none; look for two particles in one place, or lower " + std::string(model_.step_key());
-  if (particle_steps_ == 0) return "it begins so: move particles apart, or away from the walls";
+  // A force of the first step may be the start's or the step's: only a start that is too deep is known to be the start's.
+  if (particle_steps_ == 0 && largest_overlap() > deepest_overlap * 2 * neighbours_.smallest_radius)
+    return "it begins so: move particles apart, or away from the walls";
   return fmt::format("lower {} or raise contact.youngs_modulus", model_.step_key());
 }
 
 void Simulation::blow_up(const char* cause, int particle) const {
   const ParticleState& worst = particles_[particle];
   const Deepest contact = deepest();
+  // Thrown apart, they touch no more: what they were before the step is known from its forces.
+  const std::string touch = contact.overlap > 0 ? describe_contact(contact) : fmt::format("largest overlap {:.3g} m", largest_overlap());
   throw Error(fmt::format(
       "blow-up at step {} (t = {:.6g} s), {}: particle {} at ({:.4g}, {:.4g}, {:.4g}) m moves at "
-      "{:.3g} m/s under a force of {:.3g} N{}; {}",
+      "{:.3g} m/s under a force of {:.3g} N, {}; {}",
       step_, time(), cause, particles_.id[particle], worst.x, worst.y, worst.z,
       std::sqrt(worst.vx * worst.vx + worst.vy * worst.vy + worst.vz * worst.vz),
-      Vec3(worst.fx, worst.fy, worst.fz).norm(), contact.overlap > 0 ? ", " + describe_contact(contact) : "", remedy(worst)));
+      Vec3(worst.fx, worst.fy, worst.fz).norm(), touch, remedy(worst)));
 }
 
 }  // namespace clog

@@ -98,7 +98,7 @@ void Simulation::sample_series() {
   series.kinetic_energy.push_back(kinetic);
   series.elastic_energy.push_back(elastic);
   series.largest_overlap.push_back(
-      std::max(pair_tally_.largest_overlap, wall_tally_.largest_overlap));
+      largest_overlap());
   series.contacts.push_back(pair_tally_.contacts);
   series.wall_contacts.push_back(wall_tally_.contacts);
   series.drag_work.push_back(drag_work_);

@@ -1,6 +1,7 @@
 // How large the time step may be: what can be said before a run, and from the contacts of a run.
 #pragma once
 
+#include <limits>
 #include <string>
 
 #include "dem/model.hpp"
@@ -16,7 +17,8 @@ struct StepLimits {
   double drag = 0;           ///< 2 m / c at the pack's porosity; infinite when implicit
   double lubrication = 0;    ///< 2 m* / c of two particles 2 xi apart
   double contacts = 0;       ///< of a sphere in a pack at the expected load, all springs and dashpots
-  double passing = 0;        ///< in which the flow or the fastest initial particle goes one diameter
+  double impact = std::numeric_limits<double>::infinity();   ///< of two spheres that meet alone, springs and dashpot along the normal
+  double passing = std::numeric_limits<double>::infinity();  ///< in which the flow or the fastest initial particle goes one diameter
   double expected_overlap = 0;  ///< that `contacts` assumes, over the diameter [-]
 
   double smallest() const;
@@ -47,12 +49,11 @@ inline constexpr double longest_share = 0.25, long_share = 0.1;
 /// One line on a step in which particles go far, or nothing.
 std::string way_warning(const StepLimits& limits, double dt);
 
-/// Largest error of the restitution of one impact at the expected overlap, over it: 0.073 (dt / contacts)^2, measured
-/// over the phases of the step at which the contact is met (e = 0.7; 0.36 of the square of the share of its own limit).
-/// The mean over many impacts stays within 0.5 %.
+/// Largest error of the restitution of one impact at the expected overlap: 0.36 (dt / impact)^2 of it, measured at
+/// e = 0.7 over the phases of the step at which the contact is met. The mean over many impacts stays within 1 %.
 double impact_error(const StepLimits& limits, double dt);
 
-/// One line where that is above 1 %, from 0.37 of the contacts' limit on, or nothing.
+/// One line where that is above 1 %, or nothing.
 std::string impact_warning(const StepLimits& limits, double dt);
 
 /// \throws Error if the step is above a limit and the scene does not allow that, naming it and what to do

@@ -95,7 +95,8 @@ TEST(StraightFlux, TakesTheWaverOutBeforeTheNarrowingAndNothingBehind) {
   EXPECT_NEAR(restore_flow_rate(grid, scene), 0.02, 5e-4);
   const double bend = -narrowing_length(scene);
   for (std::size_t at = 0; at < grid.solid.size(); ++at) {
-    const bool straight = grid.origin.x() + static_cast<double>(at % 40) * grid.spacing <= bend;
+    const std::size_t i = at % 40;
+    const bool straight = i > 0 && grid.origin.x() + static_cast<double>(i) * grid.spacing <= bend;
     for (int c = 0; c < 3; ++c) {
       const float wanted = straight ? still.velocity[3 * at + c] : before.velocity[3 * at + c];
       // The rule itself on 20 layers: 1e-4.

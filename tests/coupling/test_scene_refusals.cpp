@@ -81,7 +81,7 @@ TEST(SceneRefusals, OfSingleValues) {
       {"contact=3", "contact = 3 (a section: write [contact] on a line of its own)"},
       {"friction.sliding=1", "(unknown key; the nearest known key is contact.friction.sliding)"},
       {"particles=x", "(a section"},
-      {"gravity=9.81", "--set gravity = 9.81 (unknown key)"},
+      {"gravity=9.81", "gravity = 9.81 (unknown key)"},
       {"fluid.visc=1", "(unknown key)"},
       {"fluid.viscosity=1,8 mPa s", "(a decimal comma: write a point, \"1.8 mPa s\")"},
       {"fluid.viscosity=1.8 mPas", "(unknown unit \"mPas\": write a space between two units, \"mPa s\")"},

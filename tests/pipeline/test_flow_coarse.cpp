@@ -92,9 +92,11 @@ TEST_P(CoarseFlow, ConservesMassAndDevelops) {
   for (const auto& surface : grid.provenance["grid_flux"])
     EXPECT_NEAR(surface["error"].get<double>(), 0, 0.03) << surface;
   EXPECT_LT(grid.provenance["grid_flux_largest_error"], 0.03);
-  // The midpoint rule on twenty layers, 0.13 % in each direction. Without the restored flow rate 3 %.
+  // The midpoint rule itself misses h^2/24 of the walls' shear, which is the developed pressure gradient: 0.15 to 0.3 %.
+  // Beside the narrowing the shear is another one. Without the restored flow rate it would be 3 %.
+  const double rule = std::pow(grid.spacing, 2) * DuctFlow(g.channel_width, g.neck_height).resistance() / 24;
   for (int i = 0; grid.origin.x() + i * grid.spacing <= -narrowing_length(scene); ++i)
-    EXPECT_NEAR(grid_plane(grid, i, scene).error, 0, 0.003) << i;
+    EXPECT_NEAR(grid_plane(grid, i, scene).error, rule, 0.0015) << i;
   EXPECT_LT(grid.provenance["residuals"]["p"], 1e-5);
 
   // Before the mesh the series itself; inside it what 16 and 8 cells across the neck allow, most

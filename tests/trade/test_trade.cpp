@@ -98,7 +98,7 @@ TEST(TradePresets, FollowTheirRuleOverAllStudies) {
 TEST(TradePresets, RefuseWhatIsNoStudy) {
   const ScratchFolder scratch;
   const auto file = scratch.path() / "trade.json";
-  json nameless = study_with({entry("a", 1, 0)}, 1), worded = nameless;
+  json nameless = study_with(json::array({entry("a", 1, 0)}), 1), worded = nameless;
   nameless["settings"][0].erase("name");
   worded["settings"][0]["gain"] = "much";
   for (const std::string& text : {nameless.dump(), worded.dump(), std::string("[1]"), std::string("{\"format\": 7}"),
@@ -106,7 +106,7 @@ TEST(TradePresets, RefuseWhatIsNoStudy) {
     std::ofstream(file) << text;
     EXPECT_THAT(refusal([&] { read_study(file); }), HasSubstr("trade.json: not a trade.json of clog trade, or damaged"));
   }
-  std::ofstream(file) << study_with({entry("a", 1, 0)}, 1).dump();
+  std::ofstream(file) << study_with(json::array({entry("a", 1, 0)}), 1).dump();
   EXPECT_EQ(read_study(file).at("reference"), "a");
 }
 
