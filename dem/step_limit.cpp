@@ -45,8 +45,9 @@ double expected_overlap(const Model& model, const Particle& sphere, const std::v
 
 /// Two equal spheres that meet along their normal.
 double impact_limit(const Model& model, const Particle& sphere, double overlap) {
-  const double arm = sphere.radius - overlap / 2, mass = sphere.mass / 2;
-  const ContactModes modes = contact_modes(model.pair_law, {false, false, false}, {{1, 0, 0}, overlap, sphere.radius / 2, mass, arm, arm});
+  const double mass = sphere.mass / 2;
+  const ContactModes modes = model.pair_law.modes(
+      {false, false, false}, PairPlace<double>{{1, 0, 0}, sphere.radius, sphere.radius}.contact(1, overlap, mass));
   return stable_step(modes.mode[0].stiffness / mass, modes.mode[0].dashpot / mass);
 }
 
