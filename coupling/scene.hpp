@@ -11,8 +11,11 @@ namespace clog {
 
 enum class FlowSource { openfoam, uniform, none };
 enum class Lookup { nearest, trilinear };
+enum class ContactLawWord { hertz, hooke, jkr };
+enum class TurningWord { luding, mercury };
 enum class TorsionUpdate { objective, doubling };
 enum class BelowRoughness { off, clamp };
+enum class DragLawWord { hoef, stokes, beetstra };
 enum class DragVelocity { interstitial, superficial };
 enum class InletStart { filled, empty };
 enum class UnclogProtocol { none, release };
@@ -84,11 +87,15 @@ struct Scene {
   } particles;
 
   struct {
+    ContactLawWord law = ContactLawWord::hertz;
     double youngs_modulus = 0;  ///< [Pa]
     double poisson_ratio = 0;   ///< [-]
+    double stiffness = 0;       ///< of linear springs [N/m]; 0: none
+    double surface_energy = 0;  ///< work of adhesion, both surfaces together [J/m2]; 0: none
     double restitution = 0.7;   ///< of a dry head-on impact [-]
     double tangential_factor = 2.0 / 3.0;  ///< on the Mindlin stiffness [-]
     double tangential_damping = 1;  ///< damping ratio of sliding, rolling and torsion over the normal one [-]
+    TurningWord turning = TurningWord::luding;
     TorsionUpdate torsion_update = TorsionUpdate::objective;
     Friction friction;
     Friction wall_friction;     ///< default: friction
@@ -105,6 +112,7 @@ struct Scene {
 
   struct {
     bool enabled = false;
+    DragLawWord law = DragLawWord::hoef;
     DragVelocity velocity = DragVelocity::interstitial;
     bool viscous_torque = false;
     struct {

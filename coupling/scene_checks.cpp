@@ -94,6 +94,24 @@ void check_flow(const SceneDraft& draft) {
   }
 }
 
+/// A constant that only one law has is given with it, and with no other.
+void check_constant_of_law(const SceneDraft& draft, std::string_view law, const char* key, const char* example) {
+  const bool chosen = word_of(draft.scene, "contact.law") == law;
+  require(!chosen || draft.has(key), "{}: {} is missing (contact.law = \"{}\" needs it): give it, e.g. \"{}\"",
+          draft.name, key, law, example);
+  require(chosen || !draft.has(key), "{} (is only for contact.law = \"{}\")", draft.says(key), law);
+}
+
+void check_contact(const SceneDraft& draft) {
+  check_constant_of_law(draft, "hooke", "contact.stiffness", "10 N/m");
+  check_constant_of_law(draft, "jkr", "contact.surface_energy", "1 mJ/m2");
+  const auto& contact = draft.scene.contact;
+  require(contact.torsion_update == TorsionUpdate::objective || contact.turning == TurningWord::luding,
+          "{} (is an experiment with contact.turning = \"luding\")", draft.says("contact.torsion_update"));
+  require(contact.law == ContactLawWord::hertz || (contact.torsion_update == TorsionUpdate::objective && contact.turning == TurningWord::luding),
+          "{} (has neither contact.turning = \"mercury\" nor contact.torsion_update = \"doubling\")", draft.says("contact.law"));
+}
+
 void check_terms(const SceneDraft& draft) {
   const Scene& scene = draft.scene;
   const bool shape = scene.geometry.present && scene.geometry.neck_width > 0;
@@ -153,6 +171,7 @@ void check_scene(const SceneDraft& draft) {
   check_walls(draft);
   check_particles(draft);
   check_flow(draft);
+  check_contact(draft);
   check_terms(draft);
   check_plane(draft);
   check_times(draft);

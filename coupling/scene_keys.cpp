@@ -93,11 +93,15 @@ std::vector<Key> make_keys() {
       NUMBER(particles.roughness, length, positive, "xi; default 0.005 diameter"),
       TEXT(particles.initial, "CSV file of initial particles: x,y,z,radius,vx,vy,vz,wx,wy,wz in SI units"),
 
+      WORD(contact.law, "normal force of a contact: Hertz, a linear spring, or Hertz that sticks (Johnson, Kendall, Roberts); default hertz", "hertz", "hooke", "jkr"),
       NUMBER(contact.youngs_modulus, pressure, positive, "of the particles"),
       NUMBER(contact.poisson_ratio, number, (Range{.low = 0, .high = 0.5, .high_allowed = false}), "of the particles"),
+      NUMBER(contact.stiffness, stiffness, positive, "of the linear spring of law hooke"),
+      NUMBER(contact.surface_energy, stiffness, positive, "work of adhesion of law jkr: to part both surfaces, per area"),
       NUMBER(contact.restitution, number, restitution, "speed after over before a dry head-on impact; default 0.7"),
-      NUMBER(contact.tangential_factor, number, positive, "on the Mindlin stiffness; default 2/3"),
+      NUMBER(contact.tangential_factor, number, positive, "on the tangential stiffness; default 2/3, for law hooke 2/7 of its spring"),
       NUMBER(contact.tangential_damping, number, non_negative, "sliding, rolling and torsion damping over the normal one; default 1"),
+      WORD(contact.turning, "how rolling and torsion turn: lever R* and stiffness of Luding, or 2 R* and full stiffness of MercuryDPM; default luding", "luding", "mercury"),
       WORD(contact.torsion_update, "how the torsion spring is advanced; doubling is an experiment", "objective", "doubling"),
       NUMBER(contact.friction.sliding, number, non_negative, "Coulomb coefficient; default 0"),
       NUMBER(contact.friction.rolling, number, non_negative, "default 0"),
@@ -114,6 +118,7 @@ std::vector<Key> make_keys() {
       NUMBER(lubrication.cutoff, length, positive, "largest gap; default diameter / 2"),
 
       SWITCH(drag.enabled, "default true when the section is present"),
+      WORD(drag.law, "drag in a pack over that of a lone sphere: van der Hoef et al. at Re = 0, none, or Beetstra et al. with the slip's Reynolds number; default hoef", "hoef", "stokes", "beetstra"),
       WORD(drag.velocity, "what f(porosity) multiplies", "interstitial", "superficial"),
       SWITCH(drag.viscous_torque, "default false"),
       NUMBER(drag.fluctuation.strength, number, non_negative, "standard deviation over mean drag; default 0: off"),
@@ -175,6 +180,11 @@ const Key* find_key(std::string_view path) {
   for (const Key& key : scene_keys())
     if (key.path == path) return &key;
   return nullptr;
+}
+
+std::string_view word_of(const Scene& scene, std::string_view path) {
+  const auto& slot = std::get<WordSlot>(find_key(path)->slot);
+  return slot.words[static_cast<std::size_t>(slot.get(scene))];
 }
 
 std::string_view section_of(std::string_view path) {

@@ -80,6 +80,9 @@ const std::vector<Key>& scene_keys();
 /// nullptr if there is none.
 const Key* find_key(std::string_view path);
 
+/// The word that a scene has at a key of words.
+std::string_view word_of(const Scene& scene, std::string_view path);
+
 /// "contact" for "contact.friction.sliding"; empty for a key before the first section.
 std::string_view section_of(std::string_view path);
 

@@ -3,15 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dem/physics/drag.hpp"
+#include "coupling/scene_keys.hpp"
+#include "dem/physics/dimensionless.hpp"
 
 namespace clog {
+
+const DragLaw& drag_law(const Scene& scene) { return find_drag_law(word_of(scene, "drag.law")); }
 
 Fluid::Fluid(const Scene& scene, FlowField field, PorosityStrips strips)
     : field_(std::move(field)),
       strips_(std::move(strips)),
       noise_(scene),
+      law_(drag_law(scene)),
       viscosity_(scene.fluid.viscosity),
+      density_(scene.fluid.density),
       kernels_(select_kernels()),
       drag_(scene.drag.enabled),
       superficial_(scene.drag.velocity == DragVelocity::superficial),
@@ -26,7 +31,7 @@ void Fluid::evaluate(Particles& p) {
   for (std::size_t k = 0; k < strips_.porosity().size(); ++k) {
     const double porosity = strips_.porosity()[k];
     speed_up[k] = pulse / porosity;
-    factor[k] = voidage_function(porosity) * (superficial_ ? porosity : 1.0);
+    factor[k] = law_.slow_factor(porosity) * (superficial_ ? porosity : 1.0);
   }
   for (double& share : factor) share *= stokes_coefficient(viscosity_, 2);  // per radius
   for (auto* values : {&ux_, &uy_, &uz_, &coefficient_}) values->resize(p.size());
@@ -55,6 +60,7 @@ void Fluid::evaluate(Particles& p) {
       coefficient_[i] = factor[k] * p[i].radius;
     }
   }
+  if (law_.knows_slip) add_slip(p);
   if (noise_.fluctuates()) add_fluctuation(p);
   if (!viscous_torque_) return;
   for (auto* values : {&turn_, &sx_, &sy_, &sz_}) values->resize(p.size());
@@ -62,6 +68,17 @@ void Fluid::evaluate(Particles& p) {
     const auto spin = field_.half_vorticity(p[i].x, p[i].y, p[i].z);
     sx_[i] = pulse * spin[0], sy_[i] = pulse * spin[1], sz_[i] = pulse * spin[2];
     turn_[i] = stokes_torque_coefficient(viscosity_, 2 * p[i].radius);
+  }
+}
+
+void Fluid::add_slip(const Particles& p) {
+  const StripPlace strip = strips_.place();
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const double porosity = strips_.empty() ? 1 : strips_.porosity()[strip.strip_at(p[i].x)];
+    const Vector<double> slip = Vector<double>{ux_[i], uy_[i], uz_[i]} - Vector<double>{p[i].vx, p[i].vy, p[i].vz};
+    const double reynolds =
+        reynolds_number(density_, porosity * std::sqrt(dot(slip, slip)), 2 * p[i].radius, viscosity_);
+    coefficient_[i] *= law_.factor({porosity, reynolds}) / law_.slow_factor(porosity);
   }
 }
 
@@ -86,8 +103,7 @@ void Fluid::attach(AdvanceTask& task) const {
 
 Vector<double> Fluid::drag_force(int i, const Vector<double>& v) const {
   if (!drag_) return {0, 0, 0};
-  const double c = coefficient_[i];
-  return {c * (ux_[i] - v.x), c * (uy_[i] - v.y), c * (uz_[i] - v.z)};
+  return clog::drag_force(coefficient_[i], {ux_[i], uy_[i], uz_[i]}, v);
 }
 
 Vector<double> Fluid::implicit_drag_force(int i, const Vector<double>& v, const Vector<double>& other,

@@ -8,12 +8,16 @@
 #include "dem/fluid_noise.hpp"
 #include "dem/kernels.hpp"
 #include "dem/particles.hpp"
+#include "dem/physics/drag_law.hpp"
 #include "dem/porosity_strips.hpp"
 
 namespace clog {
 
+/// The drag law that a scene names.
+const DragLaw& drag_law(const Scene& scene);
+
 /// Drag in the flow corrected for porosity, paper Eq. (4):
-///   F_i = c_i (u - v_i),  c_i = f(eps) 3 pi eta d_i,  u = V0(x_i) / eps.
+///   F_i = c_i (u - v_i),  c_i = f 3 pi eta d_i,  u = V0(x_i) / eps,  f of the scene's drag law.
 /// With the superficial velocity the drag is f(eps) 3 pi eta d (V0 - eps v_i), that is c eps in the
 /// place of c. Published as the total fluid force: no separate pressure gradient force.
 class Fluid {
@@ -56,10 +60,14 @@ public:
 private:
   void add_fluctuation(const Particles& particles);
 
+  /// Coefficients anew, by each particle's slip.
+  void add_slip(const Particles& particles);
+
   FlowField field_;
   PorosityStrips strips_;
   FluidNoise noise_;
-  double viscosity_;
+  const DragLaw& law_;
+  double viscosity_, density_;
   const Kernels& kernels_;
   bool drag_, superficial_, viscous_torque_;
   std::vector<double> ux_, uy_, uz_, coefficient_;

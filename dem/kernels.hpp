@@ -5,7 +5,8 @@
 #include <cstdint>
 
 #include "dem/grid_place.hpp"
-#include "dem/physics/contact.hpp"
+#include "dem/physics/contact_law.hpp"
+#include "dem/physics/lubrication.hpp"
 
 namespace clog {
 
@@ -64,16 +65,6 @@ struct ContactPointers {
   const int *film_first, *film_second;  ///< candidates that may lubricate and cannot touch
   std::size_t film_count;
   bool watched_lubricate;  ///< whether the watched can have a film
-};
-
-struct LubricationLaw {
-  double viscosity = 0;  ///< [Pa s]; 0: no lubrication
-  double nearest = 0;    ///< 2 xi: below, the force is absent or held [m]
-  double farthest = 0;   ///< [m]
-  bool clamp = false;    ///< hold the force of `nearest` below it, down to contact
-
-  /// Smallest gap with a film [m].
-  double least() const { return clamp ? 0 : nearest; }
 };
 
 /// What a pass over contacts saw.

@@ -10,7 +10,9 @@
 #include "coupling/require.hpp"
 #include "coupling/stl.hpp"
 #include "coupling/stl_channel.hpp"
+#include "coupling/scene_keys.hpp"
 #include "coupling/stl_surface.hpp"
+#include "dem/physics/contact_laws.hpp"
 #include "dem/physics/porosity.hpp"
 #include "dem/physics/time_step.hpp"
 #include "dem/step_limit.hpp"
@@ -25,22 +27,16 @@ constexpr double skin_share = 0.1;
 
 ContactLaw contact_law(const Scene& scene, const Material& other, const Friction& friction) {
   const auto& c = scene.contact;
-  const Material own{c.youngs_modulus, c.poisson_ratio};
-  ContactLaw law;
-  law.modulus = effective_modulus(own, other);
-  law.shear_modulus = effective_shear_modulus(own, other);
-  law.tangential_factor = c.tangential_factor;
-  law.gamma = damping_constant(c.restitution);
-  // Both dashpots are gamma sqrt(m* k) with their own stiffness, times the scene's ratio.
-  law.tangential_damping =
-      c.tangential_damping *
-      std::sqrt(mindlin_stiffness(law.tangential_factor, law.shear_modulus, 1.0) /
-                hertz_stiffness(law.modulus, 1.0));
-  law.sliding_friction = friction.sliding;
-  law.rolling_friction = friction.rolling;
-  law.torsion_friction = friction.torsion;
-  law.torsion_memory = c.torsion_update == TorsionUpdate::doubling ? 2 : 1;
-  return law;
+  const std::string_view turning = c.torsion_update == TorsionUpdate::doubling ? "doubling" : word_of(scene, "contact.turning");
+  return make_contact_law(word_of(scene, "contact.law"), turning,
+                          {.own = {c.youngs_modulus, c.poisson_ratio},
+                           .other = other,
+                           .restitution = c.restitution,
+                           .tangential_factor = c.tangential_factor,
+                           .tangential_damping = c.tangential_damping,
+                           .stiffness = c.stiffness,
+                           .surface_energy = c.surface_energy},
+                          {friction.sliding, friction.rolling, friction.torsion});
 }
 
 ContactTerms contact_terms(const Friction& friction) {
@@ -194,11 +190,10 @@ void choose_step(Model& model, const std::vector<Particle>& initial) {
   double smallest = s.particles.diameter;
   for (const Particle& p : initial) smallest = std::min(smallest, 2 * p.radius);
   const double speed = collision_speed(s, initial);
+  const Impact impact{s.particles.density * s.time.mass_scale, smallest, speed};
   if (speed > 0)
     model.contact_time =
-        hertz_contact_time({s.particles.density * s.time.mass_scale,
-                            std::max(model.pair_law.modulus, model.wall_laws.contact.modulus),
-                            smallest, speed});
+        std::min(model.pair_law.contact_time(impact), model.wall_laws.contact.contact_time(impact));
   model.dt = s.time.step;
   if (model.dt == 0) {
     require(speed > 0, "time.step is missing (nothing moves in this scene, so no contact time can be "
@@ -286,7 +281,11 @@ Model make_model(const Scene& scene, const FlowGrid* flow, const std::vector<Par
       contact_law(scene, {c.wall_youngs_modulus, c.wall_poisson_ratio}, c.wall_friction);
   model.wall_laws.terms = contact_terms(c.wall_friction);
   if (scene.lubrication.walls) model.wall_laws.lubrication = model.lubrication;
-  model.reach = {skin_share * scene.particles.diameter, model.lubrication.farthest};
+  double largest = scene.particles.diameter / 2;
+  for (const Particle& p : initial) largest = std::max(largest, p.radius);
+  model.reach = {skin_share * scene.particles.diameter,
+                 std::max({model.lubrication.farthest, model.pair_law.reach(largest / 2),
+                           model.wall_laws.contact.reach(largest)})};
   build_walls(model, flow);
   model.weld = weld_length(model.walls, scene);
   choose_step(model, initial);

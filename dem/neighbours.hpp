@@ -13,7 +13,7 @@ namespace clog {
 /// How far a pair list looks.
 struct Reach {
   double skin = 0;         ///< two particles may together drift this far before a rebuild [m]
-  double lubrication = 0;  ///< largest gap with a lubrication force; 0: none [m]
+  double lubrication = 0;  ///< largest gap at which a film or a contact that sticks acts; 0: none [m]
 };
 
 class Neighbours {

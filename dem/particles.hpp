@@ -53,6 +53,10 @@ struct Particles {
 /// has it, and at whole steps none [J]
 double half_step_energy(const Particles& particles);
 
+inline PairPlace<double> pair_place(const Particles& p, int i, int j) {
+  return {{p[i].x - p[j].x, p[i].y - p[j].y, p[i].z - p[j].z}, p[i].radius, p[j].radius};
+}
+
 /// The states as the kernels see them; valid until particles are added or reordered.
 ParticlePointers pointers(Particles& particles);
 

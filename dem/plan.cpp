@@ -55,10 +55,10 @@ void judge_fluid(const Scene& s, const Judge& term) {
           settling_ratio(sphere, v) > 0.01, false, "density matched when 0"});
     const double peclet = peclet_number(sphere, v);
     term({"Brownian motion", "Pe = v d / D_0", peclet, peclet < 1e3, false, "diffusion << flow"});
-    term({"drag", "f(eps) in the pack", voidage_function(pack_porosity), true, drag,
+    term({"drag", "f(eps) in the pack", drag_law(s).slow_factor(pack_porosity), true, drag,
           "drives everything"});
     const double stokes =
-        response_time(sphere, voidage_function(pack_porosity)) * s.time.mass_scale * v / sphere.diameter;
+        response_time(sphere, drag_law(s).slow_factor(pack_porosity)) * s.time.mass_scale * v / sphere.diameter;
     term({"particle inertia", "St = t_response v / d, mass scale included", stokes, stokes > 0.1, true,
           stokes > 0.1 ? "mass scaled too far" : "irrelevant: mass may be scaled up"});
     const double impact = collision_stokes_number(sphere, collision_speed_share * v);
@@ -73,9 +73,9 @@ void judge_fluid(const Scene& s, const Judge& term) {
 void judge_contacts(const Scene& s, const Model& model, const Judge& term) {
   const double v = s.flow.mean_velocity, d = s.particles.diameter;
   if (v > 0) {
-    const double load = arch_load * voidage_function(pack_porosity) *
+    const double load = arch_load * drag_law(s).slow_factor(pack_porosity) *
                         stokes_coefficient(s.fluid.viscosity, d) * v / pack_porosity;
-    const double kappa = d / hertz_overlap(load, model.pair_law.modulus, d / 4);
+    const double kappa = d / model.pair_law.overlap_at(load, d / 4);
     term({"particle stiffness", "kappa = d / overlap in an arch", kappa, kappa < softest, true,
           "softer particles let arches buckle"});
   }

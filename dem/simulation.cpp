@@ -331,8 +331,7 @@ void Simulation::set_friction(bool on) {
   pair_law_ = model_.pair_law;
   wall_law_ = model_.wall_laws.contact;
   if (on) return;
-  for (ContactLaw* law : {&pair_law_, &wall_law_})
-    law->sliding_friction = law->rolling_friction = law->torsion_friction = 0;
+  pair_law_.friction = wall_law_.friction = {};
 }
 
 }  // namespace clog

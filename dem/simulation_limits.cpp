@@ -12,14 +12,6 @@
 
 namespace clog {
 
-namespace {
-
-Vector<double> apart(const Particles& p, int i, int j) {
-  return {p[i].x - p[j].x, p[i].y - p[j].y, p[i].z - p[j].z};
-}
-
-}  // namespace
-
 NetworkLimit Simulation::network() const {
   const auto& p = particles_;
   NetworkLimit network(p);
@@ -32,11 +24,12 @@ NetworkLimit Simulation::network() const {
   if (!walls_.empty())
     for (const auto& touch : walls_.touches(p)) {
       const int i = touch.particle;
-      const double overlap = std::max(touch.overlap, 0.0);
+      const double overlap = std::max(touch.overlap, -model_.wall_laws.contact.reach(p[i].radius));
       network.add_contact(i, -1,
-                          contact_modes(model_.wall_laws.contact, model_.wall_laws.terms,
-                                        {{touch.normal.x(), touch.normal.y(), touch.normal.z()}, overlap,
-                                         p[i].radius, p[i].mass, p[i].radius - overlap / 2, 0}));
+                          model_.wall_laws.contact.modes(
+                              model_.wall_laws.terms,
+                              wall_contact({touch.normal.x(), touch.normal.y(), touch.normal.z()}, overlap,
+                                           p[i].radius, p[i].mass)));
     }
   AdvanceTask fluid{};
   fluid_.attach(fluid);
@@ -48,15 +41,12 @@ NetworkLimit Simulation::network() const {
 
 void Simulation::add_pair(NetworkLimit& network, int i, int j) const {
   const auto& p = particles_;
-  const Vector<double> between = apart(p, i, j);
-  const double distance = std::sqrt(dot(between, between));
-  const double overlap = std::max(p[i].radius + p[j].radius - distance, 0.0);
+  const PairPlace<double> place = pair_place(p, i, j);
+  const double distance = place.distance();
+  const double overlap = std::max(place.overlap(distance), -model_.pair_law.reach(place.effective_radius()));
   network.add_contact(i, j,
-                      contact_modes(model_.pair_law, model_.pair_terms,
-                                    {(1 / distance) * between, overlap,
-                                     p[i].radius * p[j].radius / (p[i].radius + p[j].radius),
-                                     p[i].mass * p[j].mass / (p[i].mass + p[j].mass),
-                                     p[i].radius - overlap / 2, p[j].radius - overlap / 2}));
+                      model_.pair_law.modes(model_.pair_terms,
+                                            place.contact(distance, overlap, reduced(p[i].mass, p[j].mass))));
 }
 
 std::vector<Film> Simulation::films() const {
@@ -64,15 +54,14 @@ std::vector<Film> Simulation::films() const {
   std::vector<Film> films;
   const auto add = [&](int i, int j, const LubricationLaw& law, const Vector<double>& normal, double radius,
                        double gap, double share = 1) {
-    if (gap < 0 || gap > law.farthest || (gap < law.nearest && !law.clamp)) return;
-    films.push_back({i, j, normal,
-                     share * lubrication_coefficient(law.viscosity, radius, std::max(gap, law.nearest))});
+    const double coefficient = film_coefficient(law, radius, gap, 1.0);
+    if (coefficient > 0) films.push_back({i, j, normal, share * coefficient});
   };
   const auto add_pair = [&](int i, int j) {
-    const Vector<double> between = apart(p, i, j);
-    const double distance = std::sqrt(dot(between, between));
-    add(i, j, model_.lubrication, (1 / distance) * between,
-        p[i].radius * p[j].radius / (p[i].radius + p[j].radius), distance - p[i].radius - p[j].radius);
+    const PairPlace<double> place = pair_place(p, i, j);
+    const double distance = place.distance();
+    add(i, j, model_.lubrication, (1 / distance) * place.apart, place.effective_radius(),
+        distance - p[i].radius - p[j].radius);
   };
   if (model_.lubrication.viscosity > 0) {
     const Neighbours& n = neighbours_;
@@ -207,8 +196,8 @@ Simulation::Deepest Simulation::deepest() const {
   const ContactSet& pairs = neighbours_.contacts;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const int i = pairs.first(k), j = pairs.second(k);
-    const Vector<double> between = apart(p, i, j);
-    look(i, j, p[i].radius + p[j].radius - std::sqrt(dot(between, between)));
+    const PairPlace<double> place = pair_place(p, i, j);
+    look(i, j, place.overlap(place.distance()));
   }
   if (!walls_.empty())
     for (const auto& touch : walls_.touches(p)) look(touch.particle, -1, touch.overlap);

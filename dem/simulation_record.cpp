@@ -73,11 +73,10 @@ double Simulation::elastic_energy() const {
   double energy = walls_.empty() ? 0 : walls_.stored_energy(p, model_.wall_laws.contact);
   for (std::size_t k = 0; k < n.contacts.size(); ++k) {
     const int i = n.contacts.first(k), j = n.contacts.second(k);
-    ContactGeometry<double> g{};
-    const Vec3 apart(p[i].x - p[j].x, p[i].y - p[j].y, p[i].z - p[j].z);
-    g.overlap = p[i].radius + p[j].radius - apart.norm();
-    g.radius = p[i].radius * p[j].radius / (p[i].radius + p[j].radius);
-    energy += stored_energy(model_.pair_law, g, n.contacts.springs(k));
+    const PairPlace<double> place = pair_place(p, i, j);
+    const double distance = place.distance();
+    energy += model_.pair_law.stored_energy(
+        place.contact(distance, place.overlap(distance), reduced(p[i].mass, p[j].mass)), n.contacts.springs(k));
   }
   return energy;
 }
@@ -158,7 +157,7 @@ void Simulation::finish() {
   if (say_ && left > 0 && data_.passages.time.empty())
     say_(fmt::format("warning: {} particle{} left at the outlet, x = {:.4g} m, and none was counted at passages.plane = {:.4g} m",
                      left, left > 1 ? "s" : "", model_.domain.outlet, model_.domain.passage));
-  if (model_.pair_law.torsion_memory != 1)
+  if (model_.scene.contact.torsion_update == TorsionUpdate::doubling)
     p["experiment"] = "contact.torsion_update = \"doubling\": springs advanced wrongly on purpose";
 }
 

@@ -26,13 +26,7 @@ double smallest_radius(const Scene& scene, const std::vector<Particle>& initial)
 }
 
 double voidage(const Scene& s) {
-  return s.porosity.strips > 0 ? voidage_function(pack_porosity) : 1.0;
-}
-
-/// Largest overlap of an elastic Hertz impact: (15 m* v^2 / (16 E* sqrt(R*)))^(2/5).
-/// \source K. L. Johnson, Contact Mechanics, Eq. (11.21)
-double impact_overlap(double mass, double speed, const ContactLaw& law, double radius) {
-  return std::pow(15 * mass * speed * speed / (16 * law.modulus * std::sqrt(radius)), 0.4);
+  return s.porosity.strips > 0 ? drag_law(s).slow_factor(pack_porosity) : 1.0;
 }
 
 double expected_overlap(const Model& model, const Particle& sphere, const std::vector<Particle>& initial) {
@@ -45,8 +39,8 @@ double expected_overlap(const Model& model, const Particle& sphere, const std::v
   if (s.drag.enabled)
     load += arch_load * voidage(s) * stokes_coefficient(s.fluid.viscosity, d) * v /
             (s.porosity.strips > 0 ? pack_porosity : 1);
-  return std::max(impact_overlap(sphere.mass / 2, impact, model.pair_law, d / 4),
-                  hertz_overlap(load, model.pair_law.modulus, d / 4));
+  return std::max(model.pair_law.impact_overlap(sphere.mass / 2, impact, d / 4),
+                  model.pair_law.overlap_at(load, d / 4));
 }
 
 /// Whether the dry restitution does not matter, as clog plan has it: St of a collision below 10.
@@ -58,8 +52,9 @@ bool films_brake(const Scene& s, double diameter) {
 
 /// Two equal spheres that meet along their normal.
 double impact_limit(const Model& model, const Particle& sphere, double overlap) {
-  const double arm = sphere.radius - overlap / 2, mass = sphere.mass / 2;
-  const ContactModes modes = contact_modes(model.pair_law, {false, false, false}, {{1, 0, 0}, overlap, sphere.radius / 2, mass, arm, arm});
+  const double mass = sphere.mass / 2;
+  const ContactModes modes = model.pair_law.modes(
+      {false, false, false}, PairPlace<double>{{1, 0, 0}, sphere.radius, sphere.radius}.contact(1, overlap, mass));
   return stable_step(modes.mode[0].stiffness / mass, modes.mode[0].dashpot / mass);
 }
 
@@ -79,16 +74,16 @@ double pack_limit(const Model& model, const Particle& sphere, double overlap) {
   Particles p;
   for (int k = 0; k < 6; ++k) p.add(sphere);
   NetworkLimit network(p);
-  const double r = sphere.radius, arm = r - overlap / 2;
+  const double r = sphere.radius;
   const Vector<double> axes[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}};
   for (int k = 0; k < 5; ++k)
     network.add_contact(0, k + 1,
-                        contact_modes(model.pair_law, model.pair_terms,
-                                      {axes[k], overlap, r / 2, sphere.mass / 2, arm, arm}));
+                        model.pair_law.modes(model.pair_terms, PairPlace<double>{axes[k], r, r}.contact(
+                                                                   1, overlap, sphere.mass / 2)));
   if (!model.walls.empty())
     network.add_contact(0, -1,
-                        contact_modes(model.wall_laws.contact, model.wall_laws.terms,
-                                      {{0, 0, -1}, overlap, r, sphere.mass, arm, 0}));
+                        model.wall_laws.contact.modes(model.wall_laws.terms,
+                                                      wall_contact({0, 0, -1}, overlap, r, sphere.mass)));
   return network.bound().step;
 }
 

@@ -50,7 +50,7 @@ bool recall(std::vector<Touch>& memory, int particle, const Vec3& place, double 
 }
 
 ContactGeometry<double> geometry(const Particles& p, int i, const Vec3& normal, double overlap) {
-  return {to_vector(normal), overlap, p[i].radius, p[i].mass, p[i].radius - 0.5 * overlap, 0.0};
+  return wall_contact(to_vector(normal), overlap, p[i].radius, p[i].mass);
 }
 
 }  // namespace
@@ -178,22 +178,21 @@ ContactTally WallContacts::collide_corners(Particles& p, const WallLaws& laws) {
       const double overlap = p[i].radius - wall.distance;
       const Vector<double> velocity{p[i].vx, p[i].vy, p[i].vz};
       Vector<double> force{0, 0, 0}, torque{0, 0, 0};
-      if (overlap > 0) {
-        Touch touch{i, wall.point, wall.normal, overlap, {}, wall.share};
-        recall(corner_touches_, i, wall.point, p[i].radius, touch.springs);
+      Touch touch{i, wall.point, wall.normal, overlap, {}, wall.share};
+      // A contact that sticks lasts beyond touch, once it has begun.
+      const bool known = overlap > -laws.contact.reach(p[i].radius) &&
+                         recall(corner_touches_, i, wall.point, p[i].radius, touch.springs);
+      if (overlap > 0 || known) {
         const ContactMotion<double> motion{velocity, {p[i].wx, p[i].wy, p[i].wz}, {0, 0, 0}};
-        const auto loads = contact_loads<ContactTerms{true, true, true}>(
-            laws.contact, geometry(p, i, wall.normal, overlap), motion, laws.dt, touch.springs);
+        const auto loads = laws.contact.loads(geometry(p, i, wall.normal, overlap), motion, laws.dt, touch.springs);
         force = wall.share * loads.force;
         torque = wall.share * loads.torque_i;
         touches.push_back(touch);
         ++tally.contacts;
         tally.largest_overlap = std::max(tally.largest_overlap, overlap);
-      } else if (laws.lubrication.viscosity > 0 &&
-                 (laws.lubrication.clamp || -overlap >= laws.lubrication.nearest)) {
+      } else if (laws.lubrication.viscosity > 0) {
         const Vector<double> normal = to_vector(wall.normal);
-        const double c = lubrication_coefficient(laws.lubrication.viscosity, p[i].radius,
-                                                 std::max(-overlap, laws.lubrication.nearest));
+        const double c = film_coefficient(laws.lubrication, p[i].radius, -overlap, 1.0);
         force = (-c * wall.share * dot(velocity, normal)) * normal;
       }
       p[i].fx += force.x, p[i].fy += force.y, p[i].fz += force.z;
@@ -254,8 +253,7 @@ bool WallContacts::sound(std::size_t particles) const {
 double WallContacts::stored_energy(const Particles& p, const ContactLaw& law) const {
   double energy = 0;
   for (const Touch& touch : touches(p))
-    energy += touch.share * clog::stored_energy(law, geometry(p, touch.particle, touch.normal, touch.overlap),
-                                                touch.springs);
+    energy += touch.share * law.stored_energy(geometry(p, touch.particle, touch.normal, touch.overlap), touch.springs);
   return energy;
 }
 

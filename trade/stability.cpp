@@ -74,7 +74,7 @@ end = "1 s"
   s.box.present = true;
   s.box.min = {-half, -half, 0}, s.box.max = {half, half, 8 * d};
   s.flow.source = FlowSource::uniform;
-  s.flow.velocity = {0, 0, -p.velocity * voidage_function(p.porosity) / p.porosity};
+  s.flow.velocity = {0, 0, -p.velocity * drag_law(s).slow_factor(p.porosity) / p.porosity};
   s.drag.enabled = true;
   s.contact.restitution = p.restitution;
   s.contact.friction = s.contact.wall_friction = {p.friction, p.friction, p.friction};

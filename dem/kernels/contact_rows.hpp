@@ -6,6 +6,22 @@
 namespace clog {
 namespace {
 
+/// What a vector of contacts tells the lists.
+struct Contacts {
+  Lanes overlap;
+  Lanes::mask_type ended;
+};
+
+/// Overlap at which a contact ends: 0, or a gap where spheres stick.
+template <class Law>
+Lanes least_overlap(const Law& law, const Lanes& radius) {
+  if constexpr (Law::adheres) {
+    return -law.reach(radius);
+  } else {
+    return Lanes(0.0);
+  }
+}
+
 /// Appends a row of one list to another; the last row takes its place.
 void move_row(const RowPointers& from, std::size_t at, const RowPointers& to) {
   const std::size_t last = --(*from.count), end = (*to.count)++;

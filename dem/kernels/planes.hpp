@@ -2,7 +2,6 @@
 #pragma once
 
 #include "dem/kernels/contact_rows.hpp"
-#include "dem/physics/lubrication.hpp"
 
 namespace clog {
 namespace {
@@ -21,50 +20,43 @@ struct OverPlane {
   }
 };
 
-/// \return the overlap, below zero where a contact has ended
-template <ContactTerms terms>
-Lanes collide_plane(const PlaneTask& task, std::size_t from, int used) {
+template <class Kind, ContactTerms terms>
+Contacts collide_plane(const PlaneTask& task, const typename Kind::Normal& law, std::size_t from, int used) {
   const ParticlePointers& p = task.particles;
   const Index i = task.contacts.touching.first + from;
   ask_for(p, i + vectors_ahead * lanes);
   const OverPlane over(task, i, task.contacts.touching.second + from);
   const Moving m = load_motion(p, i);
-  ContactGeometry<Lanes> contact;
-  contact.normal = over.normal;
-  contact.overlap = max(over.overlap, Lanes(0.0));
-  contact.radius = over.radius;
-  contact.mass = m.mass;
-  contact.arm_i = over.radius - Lanes(0.5) * contact.overlap;
-  contact.arm_j = Lanes(0.0);
+  const Lanes least = least_overlap(law, over.radius);
+  const ContactGeometry<Lanes> contact =
+      wall_contact(over.normal, max(over.overlap, least), over.radius, m.mass);
   const Vector<Lanes> still{Lanes(0.0), Lanes(0.0), Lanes(0.0)};
   const ContactMotion<Lanes> motion{m.velocity, load_spin(p, i), still};
   Springs<Lanes> springs = load_springs<terms>(task.contacts, from);
   const ContactLoads<Lanes> loads =
-      contact_loads<terms>(task.law, contact, motion, task.dt, springs);
+      contact_loads<typename Kind::Turning, terms>(law, task.law.friction, contact, motion, task.dt, springs);
   store_springs<terms>(task.contacts, from, springs);
   add_force(p, i, loads.force, used);
   if constexpr (terms.sliding || terms.rolling || terms.torsion)
     add_torque(p, i, loads.torque_i, used);
-  return over.overlap;
+  return {over.overlap, over.overlap <= least};
 }
 
 void lubricate_plane(const PlaneTask& task, Index i, Index slot, int used) {
   const LubricationLaw& law = task.lubrication;
   const OverPlane over(task, i, slot);
   const Lanes gap = -over.overlap;
-  const Lanes film = max(gap, Lanes(law.nearest));
-  const Lanes coefficient =
-      select(gap <= Lanes(law.farthest) && gap >= Lanes(law.least()),
-             lubrication_coefficient(law.viscosity, over.radius, film), Lanes(0.0));
+  const Lanes coefficient = film_coefficient(law, over.radius, gap, Lanes(1.0));
   const Lanes speed = dot(over.normal, load_motion(task.particles, i).velocity);
   add_force(task.particles, i, (-(coefficient * speed)) * over.normal, used);
 }
 
-template <ContactTerms terms>
+template <class Kind, ContactTerms terms>
 [[gnu::flatten]] ContactTally collide_planes(const PlaneTask& given) {
-  // A copy of its own: nothing that the loops write can change it, so its constants stay in
+  // Copies of its own: nothing that the loops write can change them, so their constants stay in
   // registers.
   const PlaneTask task = given;
+  const auto law = task.law.constants.as<typename Kind::Normal>();
   const ContactPointers& c = task.contacts;
   begin_contacts(
       c, [&](Index i, Index slot) { return -OverPlane(task, i, slot).overlap; },
@@ -72,9 +64,9 @@ template <ContactTerms terms>
   Lanes deepest(0.0);
   Changes ended{c.changed};
   for_vectors(*c.touching.count, [&](std::size_t from, int used) {
-    const Lanes overlap = used_lanes(collide_plane<terms>(task, from, used), used);
-    ended.note(overlap <= Lanes(0.0), from, used);
-    deepest = max(deepest, overlap);
+    const Contacts contacts = collide_plane<Kind, terms>(task, law, from, used);
+    ended.note(contacts.ended, from, used);
+    deepest = max(deepest, used_lanes(contacts.overlap, used));
   });
   end_contacts(c, ended);
   if (task.lubrication.viscosity > 0) {

@@ -5,13 +5,16 @@
 #include "dem/kernels/flow.hpp"
 #include "dem/kernels/pairs.hpp"
 #include "dem/kernels/planes.hpp"
+#include "dem/physics/contact_laws.hpp"
 
 namespace clog {
 namespace {
 
 /// Calls the loop that is compiled for these terms.
-template <class Loop>
+template <Loops loops, class Loop>
 ContactTally pick(ContactTerms terms, const Loop& loop) {
+  constexpr ContactTerms all{true, true, true};
+  if constexpr (loops == Loops::single) return loop.template operator()<all>();
   const int key = terms.sliding + 2 * terms.rolling + 4 * terms.torsion;
   switch (key) {
     case 0:
@@ -29,22 +32,45 @@ ContactTally pick(ContactTerms terms, const Loop& loop) {
     case 6:
       return loop.template operator()<ContactTerms{false, true, true}>();
     default:
-      return loop.template operator()<ContactTerms{true, true, true}>();
+      return loop.template operator()<all>();
   }
 }
 
+template <class Kind>
 ContactTally pick_pairs(const PairTask& task, ContactTerms terms) {
-  return pick(terms, [&]<ContactTerms t>() {
-    return task.radius > 0 ? collide_pairs<t, true>(task) : collide_pairs<t, false>(task);
+  return pick<Kind::loops>(terms, [&]<ContactTerms t>() {
+    if constexpr (Kind::loops == Loops::tailored)
+      if (task.radius > 0) return collide_pairs<Kind, t, true>(task);
+    return collide_pairs<Kind, t, false>(task);
   });
 }
 
+template <class Kind>
 ContactTally pick_planes(const PlaneTask& task, ContactTerms terms) {
-  return pick(terms, [&]<ContactTerms t>() { return collide_planes<t>(task); });
+  return pick<Kind::loops>(terms, [&]<ContactTerms t>() { return collide_planes<Kind, t>(task); });
+}
+
+/// One loop for every row of the registry, in its order.
+template <class... Kinds>
+ContactTally collide_pairs_of(KindList<Kinds...>, const PairTask& task, ContactTerms terms) {
+  constexpr ContactTally (*loops[])(const PairTask&, ContactTerms) = {pick_pairs<Kinds>...};
+  return loops[task.law.row->number](task, terms);
+}
+
+template <class... Kinds>
+ContactTally collide_planes_of(KindList<Kinds...>, const PlaneTask& task, ContactTerms terms) {
+  constexpr ContactTally (*loops[])(const PlaneTask&, ContactTerms) = {pick_planes<Kinds>...};
+  return loops[task.law.row->number](task, terms);
+}
+
+ContactTally any_pairs(const PairTask& task, ContactTerms terms) { return collide_pairs_of(ContactKinds{}, task, terms); }
+
+ContactTally any_planes(const PlaneTask& task, ContactTerms terms) {
+  return collide_planes_of(ContactKinds{}, task, terms);
 }
 
 constexpr Kernels make_kernels(const char* name) {
-  return {name, lanes, pick_pairs, pick_planes, sample_nearest, advance};
+  return {name, lanes, any_pairs, any_planes, sample_nearest, advance};
 }
 
 }  // namespace

@@ -50,10 +50,4 @@ inline double collision_stokes_number(const SphereInFluid& s, double speed) {
   return mass * speed / (6 * std::numbers::pi * s.viscosity * radius * radius);
 }
 
-/// Overlap of a Hertz contact under a force: (3 F / (4 E* sqrt(R*)))^(2/3) [m].
-/// \source inverse of paper Eq. (1)
-inline double hertz_overlap(double force, double modulus, double radius) {
-  return std::pow(3 * force / (4 * modulus * std::sqrt(radius)), 2.0 / 3.0);
-}
-
 }  // namespace clog

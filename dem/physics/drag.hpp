@@ -7,16 +7,20 @@
 
 namespace clog {
 
-/// Ratio of the drag in a random pack of equal spheres to that on a lone sphere, at Re -> 0.
-///   f(eps) = 10 (1 - eps) / eps^2 + eps^2 (1 + 1.5 sqrt(1 - eps))
-/// \param porosity  eps [-], in (0, 1]
-/// \return [-]; 1 at eps = 1
-/// \source paper, text below Eq. (4); van der Hoef, Beetstra & Kuipers, J. Fluid Mech. 528 (2005) 233
-template <class Real>
-Real voidage_function(Real porosity) {
-  const Real solid = Real(1.0) - porosity;
-  const Real square = porosity * porosity;
-  return Real(10.0) * solid / square + square * (Real(1.0) + Real(1.5) * sqrt(solid));
+/// What is known of a particle's surroundings when its drag is asked for.
+struct Surroundings {
+  double porosity;  ///< eps [-], in (0, 1]
+  double reynolds;  ///< rho eps |v - u| d / eta [-] >= 0, v the velocity between the particles
+};
+
+/// Drag of the fluid on a particle, equation (4) whole:
+///   F = f 3 pi eta d (v - u)
+/// \param coefficient  f 3 pi eta d [N s/m], f of a drag law;  \param fluid v;  \param particle u [m/s]
+/// \return [N]
+/// \source paper Eq. (4)
+inline Vector<double> drag_force(double coefficient, const Vector<double>& fluid, const Vector<double>& particle) {
+  return {coefficient * (fluid.x - particle.x), coefficient * (fluid.y - particle.y),
+          coefficient * (fluid.z - particle.z)};
 }
 
 /// Stokes' drag coefficient of a lone sphere, 3 pi eta d. \return [N s/m]

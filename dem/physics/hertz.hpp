@@ -1,6 +1,8 @@
 // Normal contact force: Hertz with a dashpot.
 #pragma once
 
+#include <cmath>
+
 #include "dem/physics/number.hpp"
 
 namespace clog {
@@ -36,6 +38,12 @@ Real dashpot_coefficient(double gamma, Real stiffness, Real mass) {
 template <class Real>
 Real normal_force(Real elastic, Real dashpot, Real speed) {
   return max(Real(0.0), elastic - dashpot * speed);
+}
+
+/// Overlap of a Hertz contact under a force: (3 F / (4 E* sqrt(R*)))^(2/3) [m].
+/// \source inverse of paper Eq. (1)
+inline double hertz_overlap(double force, double modulus, double radius) {
+  return std::pow(3 * force / (4 * modulus * std::sqrt(radius)), 2.0 / 3.0);
 }
 
 }  // namespace clog

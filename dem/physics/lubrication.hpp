@@ -19,4 +19,25 @@ Real lubrication_coefficient(double viscosity, Real radius, Real gap) {
   return (6.0 * std::numbers::pi * viscosity) * radius * radius / gap;
 }
 
+/// Between which gaps there is a film, and what holds below.
+struct LubricationLaw {
+  double viscosity = 0;  ///< eta [Pa s]; 0: no lubrication
+  double nearest = 0;    ///< 2 xi: below, the force is absent or held [m]
+  double farthest = 0;   ///< [m]
+  bool clamp = false;    ///< hold the force of `nearest` below it, down to contact
+
+  /// Smallest gap with a film [m].
+  double least() const { return clamp ? 0 : nearest; }
+};
+
+/// Resistance of the film in a gap, by the law's window: 0 outside.
+/// \param share  what the coefficient is divided by as well; a hot loop saves a division with it
+/// \return c / share
+template <class Real>
+Real film_coefficient(const LubricationLaw& law, const Real& radius, const Real& gap, const Real& share) {
+  const Real film = max(gap, Real(law.nearest));
+  return select(gap <= Real(law.farthest) && gap >= Real(law.least()),
+                lubrication_coefficient(law.viscosity, radius, film * share), Real(0.0));
+}
+
 }  // namespace clog

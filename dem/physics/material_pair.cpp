@@ -24,7 +24,7 @@ double effective_shear_modulus(const Material& a, const Material& b) {
   return 1 / (compliance(a) + compliance(b));
 }
 
-double damping_constant(double restitution) {
+double damping_ratio(double restitution) {
   require(restitution > 0 && restitution <= 1, "contact.restitution = {} (must be in (0, 1])",
           restitution);
   if (restitution == 1) return 0;
@@ -38,12 +38,14 @@ double damping_constant(double restitution) {
     };
     const auto [low, high] = boost::math::tools::bisect(excess, 0.0, std::numbers::pi / 2 - 1e-9,
                                                         full_precision, iterations);
-    return std::sqrt(5.0) * std::sin((low + high) / 2);
+    return std::sin((low + high) / 2);
   }
   const auto excess = [&](double psi) { return 2 * psi / std::tanh(psi) - decay; };
   const auto [low, high] =
       boost::math::tools::bisect(excess, 1e-9, decay, full_precision, iterations);
-  return std::sqrt(5.0) * std::cosh((low + high) / 2);
+  return std::cosh((low + high) / 2);
 }
+
+double damping_constant(double restitution) { return std::sqrt(5.0) * damping_ratio(restitution); }
 
 }  // namespace clog

@@ -20,18 +20,21 @@ double effective_modulus(const Material& a, const Material& b);
 /// \source K. L. Johnson, Contact Mechanics, Eq. (7.43)
 double effective_shear_modulus(const Material& a, const Material& b);
 
-/// Damping constant gamma of the force -gamma sqrt(m* k) v_n (k the Hertz secant stiffness) that
-/// gives a dry head-on impact the restitution e, the contact being lost when the force has fallen
-/// to zero, so that it never pulls.
-///   e = exp(-(pi - 2 phi) tan phi),  gamma = sqrt(5) sin phi        (e > exp(-2))
-///   e = exp(-2 psi coth psi),        gamma = sqrt(5) cosh psi       (e <= exp(-2))
-/// With u = delta^(5/4) and d(tau) = delta^(1/4) dt the Hertz impact is a damped linear oscillator
-/// of damping ratio gamma / sqrt(5); the condition of zero force is that of Schwager & Poeschel.
+/// Damping ratio zeta of a linear oscillator whose half swing gives the restitution e, if the contact is lost
+/// when the force has fallen to zero, so that it never pulls.
+///   e = exp(-(pi - 2 phi) tan phi),  zeta = sin phi        (e > exp(-2))
+///   e = exp(-2 psi coth psi),        zeta = cosh psi       (e <= exp(-2))
 /// \param restitution  e [-], in (0, 1]
-/// \return gamma [-]
+/// \return zeta [-]
 /// \throws Error outside (0, 1]
-/// \source Antypov & Elliott, EPL 94 (2011) 50004 (the map); Schwager & Poeschel, Granular Matter 9
-///         (2007) 465 (the end of contact)
+/// \source Schwager & Poeschel, Granular Matter 9 (2007) 465
+double damping_ratio(double restitution);
+
+/// Damping constant gamma of the force -gamma sqrt(m* k) v_n (k the Hertz secant stiffness) that gives a dry
+/// head-on impact the restitution e: gamma = sqrt(5) zeta(e).
+/// With u = delta^(5/4) and d(tau) = delta^(1/4) dt the Hertz impact is a damped linear oscillator of damping
+/// ratio gamma / sqrt(5).
+/// \source Antypov & Elliott, EPL 94 (2011) 50004
 double damping_constant(double restitution);
 
 }  // namespace clog

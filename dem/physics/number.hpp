@@ -8,6 +8,7 @@ namespace clog {
 
 namespace stdx = std::experimental;
 
+using std::cbrt;
 using std::max;
 using std::min;
 using std::sqrt;

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "dem/physics/contact.hpp"
+#include "dem/physics/friction.hpp"
 
 namespace clog {
 
@@ -31,7 +31,7 @@ struct ContactMode {
 /// Tangents of the six springs of a contact: normal, sliding x 2, rolling x 2, torsion. Stretch rates are
 ///   v_n = n.(u_i - u_j);  v_t = t.(u_i - u_j) - (a_i w_i + a_j w_j).(n x t);
 ///   v_r = -R* (n x (w_i - w_j)).t;  v_o = 2 R* n.(w_i - w_j)
-/// with the tangent 3/2 k of Hertz's law and k_t of the others. A slider that slips is softer, so this
+/// with the normal law's own tangent and k_t of the others. A slider that slips is softer, so this
 /// bounds it from above.
 /// \return as many of the six as `terms` switches on
 /// \source derivative of contact_loads()
@@ -40,13 +40,13 @@ struct ContactModes {
   int count = 0;
 };
 
-inline ContactModes contact_modes(const ContactLaw& law, const ContactTerms& terms,
-                                  const ContactGeometry<double>& g) {
-  const double root = std::sqrt(g.radius * g.overlap);
-  const double secant = hertz_stiffness(law.modulus, root);
-  const double dashpot = dashpot_coefficient(law.gamma, secant, g.mass);
-  const double tangential = mindlin_stiffness(law.tangential_factor, law.shear_modulus, root);
-  const double tangential_dashpot = law.tangential_damping * dashpot;
+template <class Turning, class NormalLaw>
+ContactModes contact_modes(const NormalLaw& law, const ContactTerms& terms, const ContactGeometry<double>& g) {
+  const NormalTangent normal = law.tangent(g);
+  const NormalResponse<double> response = law.respond(g, 0.0);
+  const double tangential = response.stiffness, tangential_dashpot = response.dashpot;
+  const double turning = Turning::full_stiffness ? tangential / law.tangential_factor : tangential;
+  const double lever = Turning::rolling_lever * g.radius;
   const Vector<double>& n = g.normal;
   const Vector<double> none{0, 0, 0};
   const Vector<double> least = std::abs(n.x) < 0.6 ? Vector<double>{1, 0, 0} : Vector<double>{0, 1, 0};
@@ -55,17 +55,17 @@ inline ContactModes contact_modes(const ContactLaw& law, const ContactTerms& ter
 
   ContactModes modes;
   const auto add = [&](const ContactMode& mode) { modes.mode[modes.count++] = mode; };
-  add({1.5 * secant, dashpot, n, none, none});
+  add({normal.stiffness, normal.dashpot, n, none, none});
   if (terms.sliding) {
     add({tangential, tangential_dashpot, s, -g.arm_i * t, -g.arm_j * t});
     add({tangential, tangential_dashpot, t, g.arm_i * s, g.arm_j * s});
   }
   if (terms.rolling) {
-    add({tangential, tangential_dashpot, none, g.radius * s, -g.radius * s});
-    add({tangential, tangential_dashpot, none, g.radius * t, -g.radius * t});
+    add({turning, tangential_dashpot, none, lever * s, -lever * s});
+    add({turning, tangential_dashpot, none, lever * t, -lever * t});
   }
   if (terms.torsion)
-    add({tangential, tangential_dashpot, none, 2 * g.radius * n, -2 * g.radius * n});
+    add({turning, tangential_dashpot, none, 2 * g.radius * n, -2 * g.radius * n});
   return modes;
 }
 

@@ -6,7 +6,14 @@
 
 namespace clog {
 
-/// What the contact times need to know.
+/// A typical collision of two equal spheres, whatever their law.
+struct Impact {
+  double density;   ///< rho of the particle, mass scale included [kg/m3]
+  double diameter;  ///< d [m]
+  double speed;     ///< v_c typical collision velocity [m/s]
+};
+
+/// What Hertz' contact time needs to know.
 struct CollisionScales {
   double density;            ///< rho of the particle, mass scale included [kg/m3]
   double effective_modulus;  ///< E* [Pa]

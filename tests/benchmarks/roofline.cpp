@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "dem/neighbours.hpp"
+#include "dem/physics/laws/hertz.hpp"
 #include "tests/benchmarks/scenes.hpp"
 
 namespace clog::test {
@@ -35,6 +36,7 @@ namespace {
 
 /// Operations of one contact of equal spheres that sticks, with the sums into both particles.
 int operations_of_a_contact(const ContactLaw& law) {
+  const auto hertz = law.constants.as<Hertz>();
   Counted::done = 0;
   const Vector<Counted> apart{0.999, 0.01, 0.02}, velocity{1e-3, 2e-3, 0.0};
   const Counted distance = sqrt(dot(apart, apart));
@@ -44,7 +46,7 @@ int operations_of_a_contact(const ContactLaw& law) {
   contact.radius = Counted(0.25), contact.mass = Counted(1.0);
   contact.arm_i = contact.arm_j = Counted(0.5) - Counted(0.5) * contact.overlap;
   Springs<Counted> springs{};
-  contact_loads<ContactTerms{true, true, true}>(law, contact, {velocity, {}, {}}, 1e-12, springs);
+  contact_loads<LudingTurning, ContactTerms{true, true, true}>(hertz, law.friction, contact, {velocity, {}, {}}, 1e-12, springs);
   constexpr int differences = 6, sums = 12;
   return Counted::done + differences + sums;
 }

@@ -67,7 +67,7 @@ private:
       Springs<double> springs = remembered(id);
       const ContactGeometry<double> g{normal, -gap, radius, p[i].mass * p[j].mass / (p[i].mass + p[j].mass),
                                       p[i].radius + gap / 2, p[j].radius + gap / 2};
-      const auto loads = contact_loads<all>(model.pair_law, g, {moves, spin(p, i), spin(p, j)}, dt, springs);
+      const auto loads = model.pair_law.loads(g, {moves, spin(p, i), spin(p, j)}, dt, springs);
       touching[id] = springs;
       force = loads.force;
       sum.torque[id.first] = sum.torque[id.first] + loads.torque_i;
@@ -97,8 +97,7 @@ private:
       Springs<double> springs = remembered({-1 - wall, id});
       const ContactGeometry<double> g{{n[0], n[1], n[2]}, overlap, p[i].radius, p[i].mass,
                                       p[i].radius - overlap / 2, 0};
-      const auto loads = contact_loads<all>(model.wall_laws.contact, g,
-                                            {velocity(p, i), spin(p, i), {0, 0, 0}}, dt, springs);
+      const auto loads = model.wall_laws.contact.loads(g, {velocity(p, i), spin(p, i), {0, 0, 0}}, dt, springs);
       touching[{-1 - wall, id}] = springs;
       sum.force[id] = sum.force[id] + loads.force;
       sum.torque[id] = sum.torque[id] + loads.torque_i;

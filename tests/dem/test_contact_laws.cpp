@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "dem/physics/contact.hpp"
+#include "dem/physics/contact_laws.hpp"
 
 namespace clog {
 namespace {
@@ -121,13 +121,9 @@ TEST(RollingAndTorsion, MeasureTheRightSpins) {
   EXPECT_EQ(torsion_torque(0.5, 2.0), 2.0);
 }
 
-ContactLaw law() {
-  ContactLaw l;
-  l.modulus = 2e6, l.shear_modulus = 5e5, l.tangential_factor = 2.0 / 3;
-  l.gamma = 0.4, l.tangential_damping = 0.6;
-  l.sliding_friction = 0.6, l.rolling_friction = 0.5, l.torsion_friction = 0.4;
-  return l;
-}
+constexpr Hertz hertz{.modulus = 2e6, .shear_modulus = 5e5, .tangential_factor = 2.0 / 3, .gamma = 0.4,
+                      .tangential_damping = 0.6};
+constexpr FrictionLaw rough{.sliding = 0.6, .rolling = 0.5, .torsion = 0.4};
 
 ContactGeometry<double> geometry(const V& normal) {
   return {normal, 1e-7, 8e-6, 1e-11, 16e-6 - 0.5e-7, 16e-6 - 0.5e-7};
@@ -142,8 +138,8 @@ TEST(ContactLoads, ObeyNewtonsThirdLawInTheSpringsToo) {
   Springs<double> s{{1e-9, 2e-9, 0}, {0, 1e-9, 5e-10}, 3e-10};
   // Seen from the other side n and w_i - w_j both turn round: n x w and n . w stay.
   Springs<double> t{-s.sliding, s.rolling, s.torsion};
-  const auto ij = contact_loads<all>(law(), geometry(n), motion, 1e-6, s);
-  const auto ji = contact_loads<all>(law(), geometry(-n), mirrored, 1e-6, t);
+  const auto ij = contact_loads<LudingTurning, all>(hertz, rough, geometry(n), motion, 1e-6, s);
+  const auto ji = contact_loads<LudingTurning, all>(hertz, rough, geometry(-n), mirrored, 1e-6, t);
   const double force = norm(ij.force), torque = norm(ij.torque_i);
   EXPECT_LT(norm(ij.force + ji.force), 1e-14 * force);
   EXPECT_LT(norm(ij.torque_i - ji.torque_j), 1e-13 * torque);
@@ -158,7 +154,7 @@ TEST(ContactLoads, GiveNoAngularMomentum) {
   const V n{0, 0.6, 0.8};
   Springs<double> s{{1e-9, 0, 0}, {1e-9, 0, 0}, 1e-10};
   const auto g = geometry(n);
-  const auto loads = contact_loads<all>(law(), g, {{1e-3, 0, 2e-3}, {1, 2, 3}, {30, 20, 10}}, 1e-6, s);
+  const auto loads = contact_loads<LudingTurning, all>(hertz, rough, g, {{1e-3, 0, 2e-3}, {1, 2, 3}, {30, 20, 10}}, 1e-6, s);
   const V orbital = cross((g.arm_i + g.arm_j) * n, loads.force);
   EXPECT_LT(norm(loads.torque_i + loads.torque_j + orbital), 1e-13 * norm(loads.torque_i));
 }
@@ -169,8 +165,8 @@ TEST(ContactLoads, OfARigidRotationAreTheElasticForceAlone) {
   const auto g = geometry(n);
   const ContactMotion<double> motion{cross(w, (g.arm_i + g.arm_j) * n), w, w};
   Springs<double> s{};
-  const auto loads = contact_loads<all>(law(), g, motion, 1e-6, s);
-  const double elastic = hertz_stiffness(law().modulus, std::sqrt(g.radius * g.overlap)) * g.overlap;
+  const auto loads = contact_loads<LudingTurning, all>(hertz, rough, g, motion, 1e-6, s);
+  const double elastic = hertz_stiffness(hertz.modulus, std::sqrt(g.radius * g.overlap)) * g.overlap;
   EXPECT_NEAR(norm(loads.force), elastic, 1e-12 * elastic);
   EXPECT_LT(norm(loads.torque_i), 1e-15 * elastic * g.radius / 1e-3);
 }
@@ -182,22 +178,20 @@ TEST(ContactLoads, TurnWithTheFrame) {
   const ContactMotion<double> m{{1e-3, -2e-3, 5e-4}, {3, -20, 10}, {-7, 5, 30}};
   Springs<double> s{{1e-9, 2e-9, 0}, {0, 1e-9, 1e-9}, 1e-9};
   Springs<double> t{turn(s.sliding), turn(s.rolling), s.torsion};
-  const auto here = contact_loads<all>(law(), geometry(n), m, 1e-6, s);
-  const auto there = contact_loads<all>(
-      law(), geometry(turn(n)), {turn(m.velocity), turn(m.spin_i), turn(m.spin_j)}, 1e-6, t);
+  const auto here = contact_loads<LudingTurning, all>(hertz, rough, geometry(n), m, 1e-6, s);
+  const auto there = contact_loads<LudingTurning, all>(
+      hertz, rough, geometry(turn(n)), {turn(m.velocity), turn(m.spin_i), turn(m.spin_j)}, 1e-6, t);
   EXPECT_LT(norm(turn(here.force) - there.force), 1e-14 * norm(here.force));
   EXPECT_LT(norm(turn(here.torque_i) - there.torque_i), 1e-14 * norm(here.torque_i));
 }
 
 TEST(ContactLoads, DoublingIsTheExperimentItSaysItIs) {
-  ContactLaw doubling = law();
-  doubling.torsion_memory = 2;
   Springs<double> s{};
   s.torsion = 1e-12;
   const ContactMotion<double> still{};
-  contact_loads<all>(doubling, geometry({0, 0, 1}), still, 1e-6, s);
+  contact_loads<DoublingTurning, all>(hertz, rough, geometry({0, 0, 1}), still, 1e-6, s);
   EXPECT_EQ(s.torsion, 2e-12);
-  contact_loads<all>(law(), geometry({0, 0, 1}), still, 1e-6, s);
+  contact_loads<LudingTurning, all>(hertz, rough, geometry({0, 0, 1}), still, 1e-6, s);
   EXPECT_EQ(s.torsion, 2e-12);
 }
 
@@ -205,10 +199,10 @@ TEST(StoredEnergy, OfHertzAndSprings) {
   // 2/5 k delta^2 = 8/15 E* sqrt(R*) delta^(5/2), the integral of the force.
   auto g = geometry({0, 0, 1});
   const double expected = 8.0 / 15 * 2e6 * std::sqrt(8e-6) * std::pow(1e-7, 2.5);
-  EXPECT_NEAR(stored_energy(law(), g, {}) / expected, 1, 1e-14);
+  EXPECT_NEAR(stored_energy<LudingTurning>(hertz, g, {}) / expected, 1, 1e-14);
   const Springs<double> s{{3e-9, 0, 0}, {0, 4e-9, 0}, 12e-9};
   const double kt = mindlin_stiffness(2.0 / 3, 5e5, std::sqrt(8e-6 * 1e-7));
-  EXPECT_NEAR((stored_energy(law(), g, s) - expected) / (0.5 * kt * 169e-18), 1, 1e-9);
+  EXPECT_NEAR((stored_energy<LudingTurning>(hertz, g, s) - expected) / (0.5 * kt * 169e-18), 1, 1e-9);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "dem/physics/drag.hpp"
+#include "dem/physics/drag_law.hpp"
 #include "dem/physics/lubrication.hpp"
 #include "dem/physics/porosity.hpp"
 #include "dem/physics/time_step.hpp"
@@ -16,14 +16,15 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 TEST(VoidageFunction, HasTheValuesWorkedOutFromThePaper) {
+  const DragLaw& hoef = find_drag_law("hoef");
   // Half of the last digit printed.
-  EXPECT_NEAR(voidage_function(0.6), 11.81, 0.005);
-  EXPECT_NEAR(voidage_function(0.5), 20.515, 0.0005);
-  EXPECT_NEAR(voidage_function(0.4), 37.85, 0.01);
-  EXPECT_NEAR(voidage_function(0.36), 49.67, 0.005);
-  EXPECT_EQ(voidage_function(1.0), 1.0);
+  EXPECT_NEAR(hoef.slow_factor(0.6), 11.81, 0.005);
+  EXPECT_NEAR(hoef.slow_factor(0.5), 20.515, 0.0005);
+  EXPECT_NEAR(hoef.slow_factor(0.4), 37.85, 0.01);
+  EXPECT_NEAR(hoef.slow_factor(0.36), 49.67, 0.005);
+  EXPECT_EQ(hoef.slow_factor(1.0), 1.0);
   // To the last digit: 10 * 0.5 / 0.25 + 0.25 (1 + 1.5 sqrt 0.5)
-  EXPECT_DOUBLE_EQ(voidage_function(0.5), 20 + 0.25 + 0.375 * std::sqrt(0.5));
+  EXPECT_DOUBLE_EQ(hoef.slow_factor(0.5), 20 + 0.25 + 0.375 * std::sqrt(0.5));
 }
 
 TEST(Stokes, OfAPaperParticle) {

@@ -1,6 +1,7 @@
 // A sphere on a floor and two spheres in contact: sliding, rolling and spinning by their closed forms.
 #include <gtest/gtest.h>
 
+#include "dem/physics/material_pair.hpp"
 #include "tests/dem/laboratory.hpp"
 
 namespace clog::test {
@@ -8,7 +9,8 @@ namespace {
 
 /// Overlap at which the floor carries the load F: (3 F / (4 E* sqrt r))^(2/3).
 double resting_overlap(const Model& model, double load, double radius) {
-  return std::pow(3 * load / (4 * model.wall_laws.contact.modulus * std::sqrt(radius)), 2.0 / 3);
+  const Scene& s = model.scene;
+  return std::pow(3 * load / (4 * effective_modulus({s.contact.youngs_modulus, s.contact.poisson_ratio}, {s.contact.wall_youngs_modulus, s.contact.wall_poisson_ratio}) * std::sqrt(radius)), 2.0 / 3);
 }
 
 /// A size to test a law at: it must hold for micrometres as for metres.

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "coupling/source_folder.hpp"
+#include "dem/physics/laws/hertz.hpp"
 #include "dem/step_limit.hpp"
 #include "dem/step_watch.hpp"
 #include "tests/coupling/refusal.hpp"
@@ -65,10 +66,10 @@ TEST(NetworkLimit, IsInfiniteWhenNothingTouches) {
 TEST(NetworkLimit, OfTorsionFeelsTheMomentOfInertia) {
   // A wall, R* = r: torque 4 r^2 k w, so w^2 = 4 k r^2 / I = 10 k / m.
   const Particles p = unit_spheres(1);
-  ContactLaw law{.modulus = 1, .shear_modulus = 0.5, .tangential_factor = 1};
+  const Hertz law{.modulus = 1, .shear_modulus = 0.5, .tangential_factor = 1};
   const ContactGeometry<double> g{{0, 0, 1}, 0.01, 1, 1, 1, 0};
   NetworkLimit network(p);
-  network.add_contact(0, -1, contact_modes(law, {false, false, true}, g));
+  network.add_contact(0, -1, contact_modes<LudingTurning>(law, {false, false, true}, g));
   const double k = 8 * 0.5 * 0.1;
   EXPECT_NEAR(network.bound().step, 2 / std::sqrt(10 * k), 2e-3 * 2 / std::sqrt(10 * k));
 }

@@ -1,7 +1,7 @@
 // Forces and springs of a sphere that moves over edges and corners: nothing jumps, nothing is lost.
 #include <gtest/gtest.h>
 
-#include "dem/physics/hertz.hpp"
+#include "dem/physics/contact_laws.hpp"
 #include "dem/wall_contacts.hpp"
 #include "tests/dem/laboratory.hpp"
 #include "tests/dem/wall_shapes.hpp"
@@ -10,17 +10,14 @@ namespace clog::test {
 namespace {
 
 constexpr double r = 0.1, skin = 0.02;
+constexpr Material glass{1.5e6, 0.25};
 
 /// A sphere against walls, placed by hand, lists made anew at every place or kept.
 class Probe {
 public:
   explicit Probe(const Walls& walls, const Friction& friction = {}) : walls_(walls, r, {skin, 0}) {
-    laws_.contact.modulus = 1e6;
-    laws_.contact.shear_modulus = 4e5;
-    laws_.contact.tangential_factor = 1;
-    laws_.contact.sliding_friction = friction.sliding;
-    laws_.contact.rolling_friction = friction.rolling;
-    laws_.contact.torsion_friction = friction.torsion;
+    laws_.contact = make_contact_law("hertz", "luding", {.own = glass, .other = glass},
+                                     {friction.sliding, friction.rolling, friction.torsion});
     laws_.terms = {true, true, true};
     laws_.dt = 1;
     p_.add({.radius = r, .mass = 1, .inertia = 1});
@@ -51,7 +48,7 @@ public:
   std::int64_t contacts() const { return contacts_; }
 
   double hertz(double overlap) const {
-    return hertz_stiffness(laws_.contact.modulus, std::sqrt(r * overlap)) * overlap;
+    return hertz_stiffness(effective_modulus(glass, glass), std::sqrt(r * overlap)) * overlap;
   }
 
 private:

@@ -1,5 +1,6 @@
 clog_tests(test_physics
-  SOURCES dem/test_material_pair.cpp dem/test_contact_laws.cpp dem/test_fluid_laws.cpp
+  SOURCES dem/test_material_pair.cpp dem/test_contact_laws.cpp dem/test_fluid_laws.cpp dem/test_drag_laws.cpp
+          dem/test_other_contact_laws.cpp
   LIBRARIES clog_dem LABELS unit)
 clog_tests(test_few_particles
   SOURCES dem/test_impacts.cpp dem/test_friction.cpp dem/test_suspended.cpp dem/test_films.cpp

@@ -1,0 +1,135 @@
+// What a contact adds to its normal force: sliding, rolling and torsion, each limited by the grip that
+// the normal law gives.
+#pragma once
+
+#include <string_view>
+
+#include "dem/physics/contact_geometry.hpp"
+#include "dem/physics/rolling_torsion.hpp"
+#include "dem/physics/sliding.hpp"
+
+namespace clog {
+
+/// Which springs exist; a term whose friction is zero is not even compiled in.
+struct ContactTerms {
+  bool sliding, rolling, torsion;
+
+  bool any() const { return sliding || rolling || torsion; }
+};
+
+/// Coulomb coefficients of one kind of contact.
+struct FrictionLaw {
+  double sliding = 0;  ///< mu [-]
+  double rolling = 0;  ///< [-]
+  double torsion = 0;  ///< [-]
+};
+
+/// What a normal law tells at one overlap; all that friction needs to know of it.
+template <class Real>
+struct NormalResponse {
+  Real force;      ///< on i along n: repulsive positive [N]
+  Real grip;       ///< load that friction is limited by [N] >= 0
+  Real stiffness;  ///< of the sliding spring [N/m]
+  Real dashpot;    ///< beside it [N s/m]
+};
+
+/// What the step limit needs to know of a normal law at one overlap.
+struct NormalTangent {
+  double stiffness;  ///< dF/d delta, or a bound of it [N/m]
+  double dashpot;    ///< [N s/m]
+};
+
+/// How springs of rolling and torsion are made, beside the sliding spring.
+///   rolling_lever      pseudo-velocity and torque have the lever rolling_lever R* [-]
+///   full_stiffness     their springs are as stiff as without the scene's tangential factor
+///   torsion_memory     share of the torsion spring that is kept from step to step [-]
+
+/// Luding (2008): the default.
+struct LudingTurning {
+  static constexpr std::string_view word = "luding";
+  static constexpr double rolling_lever = 1;
+  static constexpr bool full_stiffness = false;
+  static constexpr double torsion_memory = 1;
+};
+
+/// MercuryDPM's class MindlinRollingTorsion: twice the torque limit and, at a tangential factor of 2/3, six
+/// times the rolling stiffness at equal friction.
+struct MercuryTurning {
+  static constexpr std::string_view word = "mercury";
+  static constexpr double rolling_lever = 2;
+  static constexpr bool full_stiffness = true;
+  static constexpr double torsion_memory = 1;
+};
+
+/// An experiment: a torsion spring that doubles in every step, as in one public snapshot of MercuryDPM. It
+/// sits at its limit and pumps spin into every contact.
+struct DoublingTurning {
+  static constexpr std::string_view word = "doubling";
+  static constexpr double rolling_lever = 1;
+  static constexpr bool full_stiffness = false;
+  static constexpr double torsion_memory = 2;
+};
+
+/// Forces and torques of one contact, and its springs one step on. The arms sum up to the distance
+/// of the centres, so linear and angular momentum are conserved exactly.
+/// \param law       a normal law, e.g. Hertz
+/// \param springs   of the last step; zero for a new contact; updated
+template <class Turning, ContactTerms terms, class NormalLaw, class Real>
+ContactLoads<Real> contact_loads(const NormalLaw& law, const FrictionLaw& friction,
+                                 const ContactGeometry<Real>& g, const ContactMotion<Real>& m, double dt,
+                                 Springs<Real>& springs) {
+  const Real approach = dot(m.velocity, g.normal);
+  const NormalResponse<Real> normal = law.respond(g, approach);
+  ContactLoads<Real> loads{normal.force * g.normal, {}, {}};
+  loads.torque_i = loads.torque_j = Vector<Real>{Real(0.0), Real(0.0), Real(0.0)};
+  if constexpr (!terms.sliding && !terms.rolling && !terms.torsion) return loads;
+
+  const auto slider = [&](double coefficient, double stiffer) {
+    return SliderParameters<Real>{stiffer * normal.stiffness, normal.dashpot, coefficient * normal.grip, dt};
+  };
+  const double turning = Turning::full_stiffness ? 1 / law.tangential_factor : 1;
+  const Vector<Real> spin = m.spin_i - m.spin_j;
+  if constexpr (terms.sliding) {
+    const Vector<Real> lever = g.arm_i * m.spin_i + g.arm_j * m.spin_j;
+    const Vector<Real> velocity = m.velocity - approach * g.normal - cross(lever, g.normal);
+    const auto [spring, force] =
+        spring_slider(turn_into_plane(springs.sliding, g.normal), velocity, slider(friction.sliding, 1));
+    springs.sliding = spring;
+    loads.force = loads.force + force;
+    const Vector<Real> turn = cross(force, g.normal);
+    loads.torque_i = g.arm_i * turn;
+    loads.torque_j = g.arm_j * turn;
+  }
+  Vector<Real> couple{Real(0.0), Real(0.0), Real(0.0)};
+  if constexpr (terms.rolling) {
+    const Real lever = Real(Turning::rolling_lever) * g.radius;
+    const auto [spring, force] =
+        spring_slider(turn_into_plane(springs.rolling, g.normal), rolling_velocity(lever, g.normal, spin),
+                      slider(friction.rolling, turning));
+    springs.rolling = spring;
+    couple = rolling_torque(lever, g.normal, force);
+  }
+  if constexpr (terms.torsion) {
+    const auto [spring, force] =
+        spring_slider(Real(Turning::torsion_memory) * springs.torsion,
+                      torsion_velocity(g.radius, g.normal, spin), slider(friction.torsion, turning));
+    springs.torsion = spring;
+    couple = couple + torsion_torque(g.radius, force) * g.normal;
+  }
+  loads.torque_i = loads.torque_i + couple;
+  loads.torque_j = loads.torque_j - couple;
+  return loads;
+}
+
+/// Energy stored in a contact: that of the normal law and half the stiffness of each other spring.
+/// \return [J]
+template <class Turning, class NormalLaw>
+double stored_energy(const NormalLaw& law, const ContactGeometry<double>& g, const Springs<double>& s) {
+  const double stiffness = law.respond(g, 0.0).stiffness;
+  const double turned = dot(s.rolling, s.rolling) + s.torsion * s.torsion;
+  const double more = Turning::full_stiffness ? 0.5 * stiffness * (1 / law.tangential_factor - 1) * turned : 0;
+  return law.stored_energy(g) +
+         0.5 * stiffness * (dot(s.sliding, s.sliding) + dot(s.rolling, s.rolling) + s.torsion * s.torsion) + more;
+}
+
+}  // namespace clog
