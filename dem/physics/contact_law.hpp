@@ -30,7 +30,7 @@ public:
   template <class Law>
   [[gnu::always_inline]] Law as() const {
     Law law;
-    std::memcpy(&law, numbers_.data(), sizeof(Law));
+    std::memcpy(static_cast<void*>(&law), numbers_.data(), sizeof(Law));
     return law;
   }
 
