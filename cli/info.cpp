@@ -7,17 +7,17 @@
 #include <fmt/format.h>
 
 #include "cli/verbs.hpp"
-#include "coupling/content_hash.hpp"
-#include "coupling/flow_grid.hpp"
-#include "coupling/hdf5_file.hpp"
-#include "coupling/publish_file.hpp"
-#include "coupling/readable_scene.hpp"
-#include "coupling/require.hpp"
-#include "coupling/run_file.hpp"
-#include "coupling/scene.hpp"
-#include "coupling/shown_text.hpp"
+#include "coupling/base/content_hash.hpp"
+#include "coupling/base/publish_file.hpp"
+#include "coupling/base/require.hpp"
+#include "coupling/base/shown_text.hpp"
+#include "coupling/files/flow_grid.hpp"
+#include "coupling/files/hdf5_file.hpp"
+#include "coupling/files/run_file.hpp"
+#include "coupling/scene/readable_scene.hpp"
+#include "coupling/scene/scene.hpp"
 
-namespace clog::cli {
+namespace clogflow::cli {
 namespace {
 
 struct InfoOptions {
@@ -56,41 +56,36 @@ void print_flow(const FlowGrid& grid, const std::string& name) {
   const auto solid = std::ranges::count(grid.solid, std::uint8_t{1});
   double fastest = 0;
   for (std::size_t i = 0; i + 2 < grid.velocity.size(); i += 3)
-    fastest = std::max(
-        fastest, std::hypot(double{grid.velocity[i]}, grid.velocity[i + 1], grid.velocity[i + 2]));
+    fastest = std::max(fastest, std::hypot(double{grid.velocity[i]}, grid.velocity[i + 1], grid.velocity[i + 2]));
   const Vec3 last = grid.origin + grid.spacing * Vec3(n[0] - 1, n[1] - 1, n[2] - 1);
   fmt::print("{}: a flow file: the velocity of the undisturbed fluid on a regular grid\n", name);
   fmt::print("grid: {} x {} x {} points, {} apart\n", n[0], n[1], n[2], micrometres(grid.spacing));
   for (int axis = 0; axis < 3; ++axis)
-    fmt::print("  {} from {} to {}\n", "xyz"[axis], micrometres(grid.origin[axis]),
-               micrometres(last[axis]));
+    fmt::print("  {} from {} to {}\n", "xyz"[axis], micrometres(grid.origin[axis]), micrometres(last[axis]));
   fmt::print("fluid at {:.1f} % of the points; fastest {:.4g} mm/s\n",
-             100.0 - 100.0 * static_cast<double>(solid) / static_cast<double>(grid.solid.size()),
-             1e3 * fastest);
+             100.0 - 100.0 * static_cast<double>(solid) / static_cast<double>(grid.solid.size()), 1e3 * fastest);
   fmt::print("walls: {} triangles\nhash: {}\nwhere it comes from:\n", grid.walls.size(), shown_text(grid.hash));
   print_record(grid.provenance);
   print_scene(grid.scene_text);
 }
 
 void print_run(const RunData& run, const std::string& name) {
-  fmt::print("{}: a run file: what the particles of seed {} did in {:.6g} s\n", name, run.seed,
-             run.end_time);
+  fmt::print("{}: a run file: what the particles of seed {} did in {:.6g} s\n", name, run.seed, run.end_time);
   fmt::print("passages: {}", run.passages.time.size());
   if (!run.passages.time.empty()) {
     const auto off = std::ranges::count(run.passages.friction_off, std::uint8_t{1});
-    fmt::print(", from {:.6g} s to {:.6g} s, {} of them while friction was off",
-               run.passages.time.front(), run.passages.time.back(), off);
+    fmt::print(", from {:.6g} s to {:.6g} s, {} of them while friction was off", run.passages.time.front(),
+               run.passages.time.back(), off);
   }
   fmt::print("\nreleases of a clog: {}\n", run.releases.off.size());
   fmt::print("time series: {} samples", run.series.time.size());
   if (!run.series.time.empty())
     fmt::print("; at the end {} particles, packing fraction {:.3f}, {} contacts, {} with walls",
-               run.series.count.back(), run.series.packing_fraction.back(),
-               run.series.contacts.back(), run.series.wall_contacts.back());
+               run.series.count.back(), run.series.packing_fraction.back(), run.series.contacts.back(),
+               run.series.wall_contacts.back());
   fmt::print("\nsnapshots: {}", run.snapshots.size());
   if (!run.snapshots.empty())
-    fmt::print(", the last at {:.6g} s with {} particles", run.snapshots.back().time,
-               run.snapshots.back().id.size());
+    fmt::print(", the last at {:.6g} s with {} particles", run.snapshots.back().time, run.snapshots.back().id.size());
   fmt::print("\nwhere it comes from:\n");
   print_record(run.provenance);
   print_scene(run.scene_text);
@@ -119,10 +114,8 @@ void print_scene_file(const InfoOptions& options) {
 void print_info(const InfoOptions& options) {
   require(options.out.empty() || options.effective, "--out {} (goes with --effective only)", options.out.string());
   if (options.file.extension() == ".toml") return print_scene_file(options);
-  require(
-      options.overrides.empty() && !options.effective && !options.flow_hash && !options.flow_inputs,
-      "{} (--set, --effective, --flow-hash and --flow-inputs are for scene files, *.toml)",
-      options.file.string());
+  require(options.overrides.empty() && !options.effective && !options.flow_hash && !options.flow_inputs,
+          "{} (--set, --effective, --flow-hash and --flow-inputs are for scene files, *.toml)", options.file.string());
   const FileFormat format = file_format(options.file);
   const std::string name = options.file.string();
   if (format.name == "clogflow flow") return print_flow(read_flow_grid(options.file), name);
@@ -133,18 +126,15 @@ void print_info(const InfoOptions& options) {
 }  // namespace
 
 void add_info(CLI::App& app) {
-  auto* verb =
-      app.add_subcommand("info", "what a flow file, a run file or a scene holds, in words");
+  auto* verb = app.add_subcommand("info", "what a flow file, a run file or a scene holds, in words");
   auto options = std::make_shared<InfoOptions>();
   verb->add_option("file", options->file, "FILE.h5, or a scene")->required();
-  verb->add_option("--set", options->overrides, "key=value: overrides the scene")
-      ->allow_extra_args(false);
-  verb->add_flag("--effective", options->effective,
-                 "of a scene: only the complete scene, as TOML");
+  verb->add_option("--set", options->overrides, "key=value: overrides the scene")->allow_extra_args(false);
+  verb->add_flag("--effective", options->effective, "of a scene: only the complete scene, as TOML");
   verb->add_option("--out", options->out, "with --effective: the file to write it to");
   verb->add_flag("--flow-inputs", options->flow_inputs, "of a scene: only what decides its flow");
   verb->add_flag("--flow-hash", options->flow_hash, "of a scene: only the name of its flow");
   verb->callback([options] { print_info(*options); });
 }
 
-}  // namespace clog::cli
+}  // namespace clogflow::cli

@@ -7,8 +7,8 @@
 
 #include "cli/output.hpp"
 #include "cli/verbs.hpp"
-#include "coupling/nearest_word.hpp"
-#include "coupling/require.hpp"
+#include "coupling/base/nearest_word.hpp"
+#include "coupling/base/require.hpp"
 
 namespace {
 
@@ -22,12 +22,12 @@ void check_verb(const CLI::App& app, int argc, char** argv) {
     const std::string& name = known->get_name();
     if (name == verb) return;
     all += (all.empty() ? "" : ", ") + name;
-    const std::size_t distance = clog::edit_distance(verb, name);
-    if (distance < least && clog::is_near(distance, verb)) least = distance, nearest = name;
+    const std::size_t distance = clogflow::edit_distance(verb, name);
+    if (distance < least && clogflow::is_near(distance, verb)) least = distance, nearest = name;
   }
   throw CLI::ParseError(nearest.empty() ? fmt::format("no verb \"{}\": known are {}", verb, all)
-                                         : fmt::format("no verb \"{}\": is \"{}\" meant?", verb, nearest),
-                         CLI::ExitCodes::ExtrasError);
+                                        : fmt::format("no verb \"{}\": is \"{}\" meant?", verb, nearest),
+                        CLI::ExitCodes::ExtrasError);
 }
 
 }  // namespace
@@ -38,29 +38,29 @@ int main(int argc, char** argv) {
   CLI::App app{"clogflow: clogging of suspensions, from the flow field to the statistics", "clog"};
   app.require_subcommand(1);
   app.set_version_flag("--version", CLOG_VERSION);
-  clog::cli::add_plan(app);
-  clog::cli::add_case(app);
-  clog::cli::add_walls(app);
-  clog::cli::add_map(app);
-  clog::cli::add_run(app);
-  clog::cli::add_fit(app);
-  clog::cli::add_stats(app);
-  clog::cli::add_report(app);
-  clog::cli::add_trade(app);
-  clog::cli::add_info(app);
+  clogflow::cli::add_plan(app);
+  clogflow::cli::add_case(app);
+  clogflow::cli::add_walls(app);
+  clogflow::cli::add_map(app);
+  clogflow::cli::add_run(app);
+  clogflow::cli::add_fit(app);
+  clogflow::cli::add_stats(app);
+  clogflow::cli::add_report(app);
+  clogflow::cli::add_trade(app);
+  clogflow::cli::add_info(app);
   try {
     check_verb(app, argc, argv);
     app.parse(argc, argv);
-    clog::require(std::fflush(stdout) == 0 && !std::ferror(stdout),
-                  "standard output cannot be written (disk full?): what was said is lost, files are not");
+    clogflow::require(std::fflush(stdout) == 0 && !std::ferror(stdout),
+                      "standard output cannot be written (disk full?): what was said is lost, files are not");
     return 0;
-  } catch (const clog::cli::EndWithStatus& end) {
+  } catch (const clogflow::cli::EndWithStatus& end) {
     return end.status;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   } catch (const std::exception& error) {
     // An empty text: another rank of the same job has said it.
-    if (*error.what()) clog::cli::put(stderr, fmt::format("clog: {}\n", clog::Error(error.what()).what()));
+    if (*error.what()) clogflow::cli::put(stderr, fmt::format("clog: {}\n", clogflow::Error(error.what()).what()));
     return 1;
   }
 }

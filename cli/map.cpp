@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 
 #include "cli/verbs.hpp"
-#include "coupling/flow_reach.hpp"
-#include "coupling/map_flow.hpp"
+#include "coupling/flow/flow_reach.hpp"
+#include "coupling/flow/map_flow.hpp"
 
-namespace clog::cli {
+namespace clogflow::cli {
 namespace {
 
 struct MapOptions {
@@ -19,15 +19,14 @@ void write_map(const MapOptions& options) {
   const FlowGrid grid = map_flow(options.folder);
   write_flow_grid(grid, options.out);
   fmt::print("{}: flow {}, {} x {} x {} points of {:.4g} um, flux of every plane within {:.2g} %\n",
-             options.out.string(), grid.hash, grid.points[0], grid.points[1], grid.points[2],
-             1e6 * grid.spacing, 100 * grid.provenance["grid_flux_largest_error"].get<double>());
+             options.out.string(), grid.hash, grid.points[0], grid.points[1], grid.points[2], 1e6 * grid.spacing,
+             100 * grid.provenance["grid_flux_largest_error"].get<double>());
   const auto& lookup = grid.provenance["lookup_error"];
   fmt::print(
       "reading it adds, in % of the neck's mean velocity: rms {:.2g} trilinear, {:.2g} nearest; "
       "in the neck, walls included, {:.2g} and {:.2g}; {:.3g} MB of memory\n",
       100 * lookup["trilinear_rms"].get<double>(), 100 * lookup["nearest_rms"].get<double>(),
-      100 * lookup["trilinear_in_neck"].get<double>(),
-      100 * lookup["nearest_in_neck"].get<double>(),
+      100 * lookup["trilinear_in_neck"].get<double>(), 100 * lookup["nearest_in_neck"].get<double>(),
       1e-6 * static_cast<double>(sizeof(float) * grid.velocity.size() + grid.solid.size()));
   if (const auto drop = channel_pressure_drop(grid, read_scene(options.folder / "scene.toml")))
     fmt::print(
@@ -35,9 +34,7 @@ void write_map(const MapOptions& options) {
         "was solved\n",
         *drop, grid.provenance["pressure_drop"].get<double>());
   if (!grid.provenance.contains("mesh_error")) return;
-  const auto percent = [&](const char* key) {
-    return 100 * grid.provenance["mesh_error"][key].get<double>();
-  };
+  const auto percent = [&](const char* key) { return 100 * grid.provenance["mesh_error"][key].get<double>(); };
   fmt::print(
       "{}, in % of the neck's mean velocity: "
       "rms {:.2g}, {:.2g} at 99 of 100 points, at most {:.2g} beside the edge; solved pressure "
@@ -55,10 +52,9 @@ void write_map(const MapOptions& options) {
 void add_map(CLI::App& app) {
   auto* verb = app.add_subcommand("map", "sampled OpenFOAM velocities of a case to a regular grid");
   auto options = std::make_shared<MapOptions>();
-  verb->add_option("folder", options->folder, "of a flow case that its Allrun has solved")
-      ->required();
+  verb->add_option("folder", options->folder, "of a flow case that its Allrun has solved")->required();
   verb->add_option("--out", options->out, "the flow file, for example flow.h5")->required();
   verb->callback([options] { write_map(*options); });
 }
 
-}  // namespace clog::cli
+}  // namespace clogflow::cli

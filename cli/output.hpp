@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <string>
 
-namespace clog::cli {
+namespace clogflow::cli {
 
 /// Written at once. What cannot be written, to a log on a full disk for example, is lost, and main() says so at the
 /// end where it was standard output; fmt::print would throw in the middle of a run.
@@ -13,4 +13,4 @@ inline void put(std::FILE* stream, const std::string& text) {
   std::fflush(stream);
 }
 
-}  // namespace clog::cli
+}  // namespace clogflow::cli

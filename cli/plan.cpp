@@ -7,15 +7,15 @@
 #include <fmt/format.h>
 
 #include "cli/verbs.hpp"
-#include "coupling/flow_grid.hpp"
-#include "coupling/flow_reach.hpp"
-#include "coupling/flow_rescale.hpp"
-#include "coupling/require.hpp"
-#include "dem/machine_speed.hpp"
-#include "dem/plan.hpp"
+#include "coupling/base/require.hpp"
+#include "coupling/files/flow_grid.hpp"
+#include "coupling/flow/flow_reach.hpp"
+#include "coupling/flow/flow_rescale.hpp"
+#include "dem/plan/machine_speed.hpp"
+#include "dem/plan/plan.hpp"
 #include "trade/fidelity.hpp"
 
-namespace clog::cli {
+namespace clogflow::cli {
 namespace {
 
 struct PlanOptions {
@@ -40,9 +40,10 @@ void print_flow(const Scene& scene, const Plan& plan, const std::filesystem::pat
   require(file.empty() || scene.flow.source == FlowSource::openfoam,
           "flow.source is not \"openfoam\", so {} would not be used: leave out --flow", file.string());
   if (plan.grid_reach == 0) return;
-  fmt::print("\nflow: from {:.3g} m upstream of the narrowing the developed duct profile is exact to {:.2g} % of the "
-             "mean velocity (expected)\n",
-             plan.grid_reach, 100 * reach_tolerance);
+  fmt::print(
+      "\nflow: from {:.3g} m upstream of the narrowing the developed duct profile is exact to {:.2g} % of the "
+      "mean velocity (expected)\n",
+      plan.grid_reach, 100 * reach_tolerance);
   if (!file.empty()) {
     const FlowGrid flow = read_flow_grid(file);
     check_flow_belongs(scene, flow);
@@ -59,11 +60,11 @@ void print_plan(const PlanOptions& options) {
   const auto [scene, fidelity] = trade::read_resolved_scene(options.scene, options.overrides);
   const Plan plan = make_plan(scene);
   if (!fidelity.empty()) fmt::print("{}\n\n", fidelity);
-  fmt::print("{:<34} {:<42} {:>10}  {:<7} {:<9} {:<5} {}\n", "term", "decided by", "value",
-             "needed", "modelled", "cost", "because");
+  fmt::print("{:<34} {:<42} {:>10}  {:<7} {:<9} {:<5} {}\n", "term", "decided by", "value", "needed", "modelled",
+             "cost", "because");
   for (const PlannedTerm& t : plan.terms)
-    fmt::print("{:<34} {:<42} {:>10.3g}  {:<7} {:<9} {:<5} {}\n", t.term, t.number, t.value,
-               t.needed ? "yes" : "no", t.modelled ? "yes" : "no", share_of(t), t.reason);
+    fmt::print("{:<34} {:<42} {:>10.3g}  {:<7} {:<9} {:<5} {}\n", t.term, t.number, t.value, t.needed ? "yes" : "no",
+               t.modelled ? "yes" : "no", share_of(t), t.reason);
   fmt::print("\ntime step {:.4g} s\n", plan.dt);
   print_limit("Hertz contact time", plan.limits.contact_time, plan.dt);
   print_limit("Rayleigh time", plan.limits.rayleigh_time, plan.dt);
@@ -73,10 +74,11 @@ void print_plan(const PlanOptions& options) {
   print_limit("0.01 d per step in the neck", plan.way_limit, plan.dt);
   print_flow(scene, plan, options.flow);
   const double speed = instructions_per_second(0.3);
-  fmt::print("\none seed: about {:.0f} particles, {:.3g} steps and {:.3g} to fill the channel, {:.3g} MB, {:.3g} s on "
-             "one core of this machine ({:.2g} particle-steps/s, tried out now)\n",
-             plan.particles, plan.steps, plan.filling_steps, 1e-6 * plan.memory, plan.seconds(speed),
-             (plan.steps + plan.filling_steps) * plan.particles / plan.seconds(speed));
+  fmt::print(
+      "\none seed: about {:.0f} particles, {:.3g} steps and {:.3g} to fill the channel, {:.3g} MB, {:.3g} s on "
+      "one core of this machine ({:.2g} particle-steps/s, tried out now)\n",
+      plan.particles, plan.steps, plan.filling_steps, 1e-6 * plan.memory, plan.seconds(speed),
+      (plan.steps + plan.filling_steps) * plan.particles / plan.seconds(speed));
   for (const std::string& line : warnings(plan)) fmt::print("warning: {}\n", line);
 }
 
@@ -90,10 +92,9 @@ void add_plan(CLI::App& app) {
   verb->add_option("--tolerance", options->tolerance, "as for clog run");
   verb->add_option("--set", options->overrides, "key=value: overrides the scene")->allow_extra_args(false);
   verb->callback([options] {
-    if (!options->tolerance.empty())
-      options->overrides.push_back("fidelity.tolerance=" + options->tolerance);
+    if (!options->tolerance.empty()) options->overrides.push_back("fidelity.tolerance=" + options->tolerance);
     print_plan(*options);
   });
 }
 
-}  // namespace clog::cli
+}  // namespace clogflow::cli

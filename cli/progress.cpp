@@ -6,7 +6,7 @@
 
 #include "cli/output.hpp"
 
-namespace clog::cli {
+namespace clogflow::cli {
 
 namespace {
 
@@ -45,4 +45,4 @@ void ProgressLine::clear() {
   drawn_ = false;
 }
 
-}  // namespace clog::cli
+}  // namespace clogflow::cli

@@ -3,9 +3,9 @@
 
 #include <chrono>
 
-#include "dem/simulation.hpp"
+#include "dem/run/simulation.hpp"
 
-namespace clog::cli {
+namespace clogflow::cli {
 
 class ProgressLine {
 public:
@@ -19,10 +19,10 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
   bool shown_, drawn_ = false;
-  double rate_ = 0;           // particle-steps per second of late
-  double share_rate_ = 0;     // share of the simulated time per second of late
+  double rate_ = 0;        // particle-steps per second of late
+  double share_rate_ = 0;  // share of the simulated time per second of late
   Progress last_;
   Clock::time_point last_time_ = Clock::now();
 };
 
-}  // namespace clog::cli
+}  // namespace clogflow::cli

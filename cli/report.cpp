@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 
 #include "cli/verbs.hpp"
-#include "postprocess/report.hpp"
-#include "postprocess/statistics_files.hpp"
+#include "postprocess/output/report.hpp"
+#include "postprocess/output/statistics_files.hpp"
 
-namespace clog::cli {
+namespace clogflow::cli {
 namespace {
 
 struct ReportOptions {
@@ -40,4 +40,4 @@ void add_report(CLI::App& app) {
   });
 }
 
-}  // namespace clog::cli
+}  // namespace clogflow::cli

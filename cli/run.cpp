@@ -15,22 +15,22 @@
 
 #include <fmt/format.h>
 
-#include "cli/enough_seeds.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/verbs.hpp"
-#include "coupling/flow_rescale.hpp"
-#include "coupling/require.hpp"
-#include "coupling/sweep.hpp"
-#include "coupling/units.hpp"
-#include "dem/ensemble.hpp"
-#include "dem/initial_particles.hpp"
-#include "dem/kernels.hpp"
-#include "dem/plan.hpp"
-#include "dem/step_limit.hpp"
+#include "coupling/base/require.hpp"
+#include "coupling/base/units.hpp"
+#include "coupling/flow/flow_rescale.hpp"
+#include "coupling/scene/sweep.hpp"
+#include "dem/kernels/kernels.hpp"
+#include "dem/plan/plan.hpp"
+#include "dem/stability/step_limit.hpp"
+#include "dem/state/initial_particles.hpp"
+#include "ensemble/enough_seeds.hpp"
+#include "ensemble/ensemble.hpp"
 #include "trade/fidelity.hpp"
 
-namespace clog::cli {
+namespace clogflow::cli {
 namespace {
 
 /// Set by SIGTERM and SIGINT: the runs save their states and end. A lock-free atomic is all that a signal
@@ -77,9 +77,10 @@ std::shared_ptr<const FlowGrid> flow_for(Prepared& prepared, const RunOptions& o
   if (!prepared.scene.flow.rescale) return file;
   RescaledFlow rescaled = rescaled_flow(*file, prepared.scene);
   if (!prepared.note.empty()) prepared.note += "\n";
-  prepared.note += fmt::format("the flow is scaled by {:.6g}; that leaves out {:.2g} % of the "
-                              "neck's mean velocity at most",
-                              rescaled.factor, 100 * rescaled.error);
+  prepared.note += fmt::format(
+      "the flow is scaled by {:.6g}; that leaves out {:.2g} % of the "
+      "neck's mean velocity at most",
+      rescaled.factor, 100 * rescaled.error);
   return std::make_shared<const FlowGrid>(std::move(rescaled.grid));
 }
 
@@ -191,14 +192,15 @@ void conclude(const EnsembleCall& call, const EnsembleResult& result, const std:
     fmt::print("{} ranks, busy {:.1f} % of {:.1f} s\n", call.launch.count,
                100 * result.busy / (result.duration * call.launch.count), result.duration);
   if (result.left_to_others > 0)
-    fmt::print("{} of {} seeds are left to other calls that are at work on them, such as {}\n",
-               result.left_to_others, seeds, result.other);
+    fmt::print("{} of {} seeds are left to other calls that are at work on them, such as {}\n", result.left_to_others,
+               seeds, result.other);
   require(result.failed == 0, "{} of {} seeds failed; the others are in {}", result.failed, seeds, out.string());
   require(result.unrecorded == 0, "{} seeds are done but not listed in {}", result.unrecorded, call.ledger.string());
 }
 
 void run(const RunOptions& options) {
-  for (const int signal : {SIGTERM, SIGINT, SIGALRM}) std::signal(signal, [](int number) { stop_signal = number, stop_asked = true; });
+  for (const int signal : {SIGTERM, SIGINT, SIGALRM})
+    std::signal(signal, [](int number) { stop_signal = number, stop_asked = true; });
   if (!options.time_limit.empty()) stop_after(options.time_limit);
   const Launch launch = launch_from_environment();
   const auto points = on_every_rank(launch, [&] {
@@ -245,10 +247,9 @@ void add_run(CLI::App& app) {
       ->option_text("RULE");
   verb->add_option("--set", options->overrides, "key=value: overrides the scene")->allow_extra_args(false);
   verb->callback([options] {
-    if (!options->tolerance.empty())
-      options->overrides.push_back("fidelity.tolerance=" + options->tolerance);
+    if (!options->tolerance.empty()) options->overrides.push_back("fidelity.tolerance=" + options->tolerance);
     run(*options);
   });
 }
 
-}  // namespace clog::cli
+}  // namespace clogflow::cli

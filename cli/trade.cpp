@@ -9,14 +9,14 @@
 #include <fmt/format.h>
 
 #include "cli/verbs.hpp"
-#include "coupling/publish_file.hpp"
-#include "coupling/require.hpp"
-#include "coupling/units.hpp"
-#include "postprocess/report.hpp"
+#include "coupling/base/publish_file.hpp"
+#include "coupling/base/require.hpp"
+#include "coupling/base/units.hpp"
+#include "postprocess/output/report.hpp"
 #include "trade/results.hpp"
 #include "trade/study_file.hpp"
 
-namespace clog::cli {
+namespace clogflow::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -48,8 +48,8 @@ void run(const TradeOptions& options) {
   if (!options.combine.empty()) return combine_studies(options);
   require(!options.scene.empty(), "clog trade needs a scene, or --combine");
   Ranks ranks;
-  trade::Study study{options.scene, options.overrides, nullptr, options.out,
-                     budget_seconds(options.budget), &stop_asked, options.settings};
+  trade::Study study{options.scene, options.overrides, nullptr, options.out, budget_seconds(options.budget),
+                     &stop_asked,   options.settings};
   std::optional<FlowGrid> flow;
   if (!options.flow.empty()) study.flow = &flow.emplace(read_flow_grid(options.flow));
   std::signal(SIGTERM, [](int) { stop_asked = true; });
@@ -84,4 +84,4 @@ void add_trade(CLI::App& app) {
   verb->callback([options] { run(*options); });
 }
 
-}  // namespace clog::cli
+}  // namespace clogflow::cli

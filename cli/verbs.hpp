@@ -3,7 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
-namespace clog::cli {
+namespace clogflow::cli {
 
 /// Ends the program with a status that is no failure and not done either; what there is to say was said.
 struct EndWithStatus {
@@ -21,4 +21,4 @@ void add_report(CLI::App& app);
 void add_trade(CLI::App& app);
 void add_info(CLI::App& app);
 
-}  // namespace clog::cli
+}  // namespace clogflow::cli

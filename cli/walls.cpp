@@ -5,10 +5,11 @@
 #include <fmt/format.h>
 
 #include "cli/verbs.hpp"
-#include "coupling/publish_file.hpp"
-#include "coupling/stl_channel.hpp"
+#include "coupling/base/publish_file.hpp"
+#include "coupling/geometry/stl_channel.hpp"
+#include "coupling/scene/scene.hpp"
 
-namespace clog::cli {
+namespace clogflow::cli {
 namespace {
 
 struct WallsOptions {
@@ -20,7 +21,7 @@ struct WallsOptions {
 constexpr double micrometre = 1e-6;
 
 void write_walls(const WallsOptions& options) {
-  const std::string text = channel_stl(read_scene(options.scene, options.overrides), micrometre);
+  const std::string text = channel_stl(read_scene(options.scene, options.overrides).geometry, micrometre);
   publish_file(text, options.out);
   fmt::print("{}: walls, inlet and outlet, in micrometres (geometry.stl_unit = \"1 um\")\n", options.out.string());
 }
@@ -36,4 +37,4 @@ void add_walls(CLI::App& app) {
   verb->callback([options] { write_walls(*options); });
 }
 
-}  // namespace clog::cli
+}  // namespace clogflow::cli

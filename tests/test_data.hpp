@@ -3,12 +3,12 @@
 
 #include <string>
 
-#include "coupling/source_folder.hpp"
+#include "coupling/base/source_folder.hpp"
 
-namespace clog {
+namespace clogflow {
 
 inline std::string test_data(const std::string& name) {
   return (source_folder() / "tests" / "reference" / name).string();
 }
 
-}  // namespace clog
+}  // namespace clogflow

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <map>
 
-#include "coupling/publish_file.hpp"
-#include "coupling/require.hpp"
-#include "coupling/run_record.hpp"
+#include "coupling/base/publish_file.hpp"
+#include "coupling/base/require.hpp"
+#include "coupling/files/run_record.hpp"
 
-namespace clog::trade {
+namespace clogflow::trade {
 
 namespace fs = std::filesystem;
 
@@ -63,8 +63,7 @@ Outcome move(const Scene& scene, const FlowGrid* flow) {
   return outcome;
 }
 
-double relative_difference(const std::map<std::int64_t, Vec3>& reference,
-                           const std::map<std::int64_t, Vec3>& other) {
+double relative_difference(const std::map<std::int64_t, Vec3>& reference, const std::map<std::int64_t, Vec3>& other) {
   double square = 0, scale = 0;
   for (const auto& [id, a] : reference)
     if (const auto b = other.find(id); b != other.end()) {
@@ -111,14 +110,12 @@ std::vector<ShortRun> short_runs(const Study& study) {
   for (const Setting& setting : more_settings()) settings.push_back(setting);
   const auto scene_for = [&](const Setting& setting) {
     Study own = study;
-    own.overrides.insert(own.overrides.end(),
-                         {"inlet.enabled=false", "unclog.protocol=none",
-                          fmt::format("particles.initial={}", fs::absolute(pack).string()),
-                          fmt::format("time.end={} s", 0.1 * base.stokes_time())});
+    own.overrides.insert(own.overrides.end(), {"inlet.enabled=false", "unclog.protocol=none",
+                                               fmt::format("particles.initial={}", fs::absolute(pack).string()),
+                                               fmt::format("time.end={} s", 0.1 * base.stokes_time())});
     return scene_of(own, setting);
   };
-  const Outcome reference =
-      move(scene_for({"", "", "", Kind::numerics, {"time.step_fraction=0.004"}}), study.flow);
+  const Outcome reference = move(scene_for({"", "", "", Kind::numerics, {"time.step_fraction=0.004"}}), study.flow);
   std::vector<ShortRun> runs;
   const auto add = [&](const std::string& name, const Setting& setting, const FlowGrid* flow) {
     ShortRun run;
@@ -138,10 +135,9 @@ std::vector<ShortRun> short_runs(const Study& study) {
     if (!study.flow) break;
     const FlowGrid coarse = coarsened(*study.flow, factor);
     add(fmt::format("grid x {}", factor), {}, &coarse);
-    add(fmt::format("grid x {}, trilinear", factor),
-        {"", "", "", Kind::numerics, {"flow.lookup=trilinear"}}, &coarse);
+    add(fmt::format("grid x {}, trilinear", factor), {"", "", "", Kind::numerics, {"flow.lookup=trilinear"}}, &coarse);
   }
   return runs;
 }
 
-}  // namespace clog::trade
+}  // namespace clogflow::trade

@@ -6,16 +6,16 @@
 
 #include "trade/study.hpp"
 
-namespace clog::trade {
+namespace clogflow::trade {
 
 /// One setting from the study's packed state, radii less half the largest overlap so that nothing touches:
 /// the same start for particles of any stiffness.
 struct ShortRun {
   std::string name;
-  std::string refused;        ///< why, or empty
-  double force = 0;           ///< rms difference of the first forces (fluid and films) over their rms [-]
-  double path = 0;            ///< rms difference of the ways after a tenth of tau over their rms [-]
-  double overlap = 0;         ///< largest at the end, over the diameter [-]
+  std::string refused;  ///< why, or empty
+  double force = 0;     ///< rms difference of the first forces (fluid and films) over their rms [-]
+  double path = 0;      ///< rms difference of the ways after a tenth of tau over their rms [-]
+  double overlap = 0;   ///< largest at the end, over the diameter [-]
   double particle_steps = 0;
 };
 
@@ -23,4 +23,4 @@ struct ShortRun {
 /// tau/250. \throws Error if the study has no run to start from
 std::vector<ShortRun> short_runs(const Study& study);
 
-}  // namespace clog::trade
+}  // namespace clogflow::trade

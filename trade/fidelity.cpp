@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "coupling/require.hpp"
+#include "coupling/base/require.hpp"
 #include "trade/results.hpp"
 
-namespace clog::trade {
+namespace clogflow::trade {
 
 using nlohmann::json;
 
@@ -48,12 +48,12 @@ ResolvedScene read_resolved_scene(const std::filesystem::path& file, const Overr
   const std::string note = fmt::format(
       "fidelity: setting {}, {:.3g} times cheaper than the reference; errors seen {:.2g} %, and up to {:.2g} % "
       "could hide in the intervals: {}",
-      setting["name"].get<std::string>(), setting["gain"].get<double>(),
-      100 * setting["error"].get<double>(), 100 * setting["hidden"].get<double>(), fmt::join(all, " "));
+      setting["name"].get<std::string>(), setting["gain"].get<double>(), 100 * setting["error"].get<double>(),
+      100 * setting["hidden"].get<double>(), fmt::join(all, " "));
   all.insert(all.end(), overrides.begin(), overrides.end());
   scene = read_scene(file, all);
   scene.fidelity = {};
   return {std::move(scene), note};
 }
 
-}  // namespace clog::trade
+}  // namespace clogflow::trade

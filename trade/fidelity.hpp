@@ -5,9 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "coupling/scene.hpp"
+#include "coupling/scene/scene.hpp"
 
-namespace clog::trade {
+namespace clogflow::trade {
 
 /// The measured settings that this program was built with: trade/measured.json.
 const nlohmann::json& measured_settings();
@@ -22,4 +22,4 @@ struct ResolvedScene {
 /// \throws Error as read_scene; if the preset is unknown, or both preset and tolerance are given
 ResolvedScene read_resolved_scene(const std::filesystem::path& file, const Overrides& overrides);
 
-}  // namespace clog::trade
+}  // namespace clogflow::trade

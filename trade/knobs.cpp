@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace clog::trade {
+namespace clogflow::trade {
 
 namespace {
 
@@ -53,8 +53,8 @@ void add_numerics(std::vector<Setting>& all, const Scene& scene) {
   add_at_limit("m30_i10_limit80", "mass and moment of inertia", "0.8",
                {"time.mass_scale=30", "time.rotational_inertia_scale=10"});
   add_at_limit("m50_limit80", "mass", "0.8", {"time.mass_scale=50"});
-  add("10MPa_m30_limit70", "Young's modulus x 3 and mass",
-      at_limit("0.7", {stiff, "time.mass_scale=30"}), "cheap_limit70");
+  add("10MPa_m30_limit70", "Young's modulus x 3 and mass", at_limit("0.7", {stiff, "time.mass_scale=30"}),
+      "cheap_limit70");
   add_at_limit("5MPa_m30_limit80", "Young's modulus x 5/3 and mass", "0.8",
                {"contact.youngs_modulus=5 MPa", "time.mass_scale=30"});
   add_at_limit("2MPa_m30_limit80", "Young's modulus x 2/3 and mass", "0.8",
@@ -79,8 +79,7 @@ void add_numerics(std::vector<Setting>& all, const Scene& scene) {
 }
 
 void add_physics(std::vector<Setting>& all) {
-  const auto add = [&](const char* name, const char* knob, const Overrides& more,
-                       const char* against = "cheap") {
+  const auto add = [&](const char* name, const char* knob, const Overrides& more, const char* against = "cheap") {
     all.push_back({name, knob, against, Kind::physics, cheap_with(more)});
   };
   add("cheap_lubrication_off", "lubrication off", {"lubrication.enabled=false"});
@@ -111,4 +110,4 @@ std::vector<Setting> settings_for(const Scene& scene) {
   return all;
 }
 
-}  // namespace clog::trade
+}  // namespace clogflow::trade

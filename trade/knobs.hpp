@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "coupling/scene.hpp"
+#include "coupling/scene/scene.hpp"
 
-namespace clog::trade {
+namespace clogflow::trade {
 
 /// Numerics may be chosen for their cost; physics never is: it is changed to see what follows.
 enum class Kind { numerics, physics };
@@ -14,10 +14,10 @@ enum class Kind { numerics, physics };
 /// One way to run a scene.
 struct Setting {
   std::string name;
-  std::string knob;       ///< what is turned, in words
-  std::string against;    ///< name of the setting that differs in this knob alone; empty: the reference
+  std::string knob;     ///< what is turned, in words
+  std::string against;  ///< name of the setting that differs in this knob alone; empty: the reference
   Kind kind = Kind::numerics;
-  Overrides overrides;    ///< of the scene
+  Overrides overrides;  ///< of the scene
 };
 
 /// The matrix of the study, the most faithful first, each after the one that it is compared with. The first
@@ -26,4 +26,4 @@ struct Setting {
 /// that was seen, at 3 MPa particles have more contacts: so cheap_30MPa stands before tau50.
 std::vector<Setting> settings_for(const Scene& scene);
 
-}  // namespace clog::trade
+}  // namespace clogflow::trade

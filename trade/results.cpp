@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coupling/require.hpp"
-#include "dem/step_limit.hpp"
+#include "coupling/base/require.hpp"
+#include "dem/stability/step_limit.hpp"
 #include "trade/deterministic.hpp"
 #include "trade/sample.hpp"
 
-namespace clog::trade {
+namespace clogflow::trade {
 
 using nlohmann::json;
 
@@ -29,9 +29,12 @@ json differences(const Sample& reference, const Sample& sample) {
   json all;
   for (const Observable& observable : observables()) {
     const Difference d = compare(observable, reference, sample);
-    all[observable.key] = {{"reference", number(d.reference)}, {"value", number(d.value)},
-                           {"difference", number(d.difference)}, {"low", number(d.low)},
-                           {"high", number(d.high)}, {"real", d.real()}};
+    all[observable.key] = {{"reference", number(d.reference)},
+                           {"value", number(d.value)},
+                           {"difference", number(d.difference)},
+                           {"low", number(d.low)},
+                           {"high", number(d.high)},
+                           {"real", d.real()}};
   }
   return all;
 }
@@ -55,7 +58,9 @@ void judge(json& entry, const Scene& scene) {
 }
 
 json described(const Setting& setting) {
-  return {{"name", setting.name}, {"knob", setting.knob}, {"against", setting.against},
+  return {{"name", setting.name},
+          {"knob", setting.knob},
+          {"against", setting.against},
           {"kind", setting.kind == Kind::numerics ? "numerics" : "physics"},
           {"overrides", setting.overrides}};
 }
@@ -97,8 +102,10 @@ json with_short_runs(const Study& study, json results) {
 
 json study_results(const Study& study) {
   const Scene base = read_scene(study.scene_file, study.overrides);
-  json results{{"format", "clogflow trade 1"}, {"scene", effective_scene(base)},
-               {"diameter", base.particles.diameter}, {"reference", ""}};
+  json results{{"format", "clogflow trade 1"},
+               {"scene", effective_scene(base)},
+               {"diameter", base.particles.diameter},
+               {"reference", ""}};
   for (const Observable& o : observables()) results["observables"][o.key] = o.meaning;
   json& settings = results["settings"] = json::array();
   std::map<std::string, Sample> samples;
@@ -128,20 +135,20 @@ json study_results(const Study& study) {
 }
 
 json combine(const std::vector<json>& studies) {
-  json measured{{"format", "clogflow measured 1"}, {"settings", json::array()},
-                {"presets", json::object()}};
+  json measured{{"format", "clogflow measured 1"}, {"settings", json::array()}, {"presets", json::object()}};
   for (const json& study : studies)
     measured["studies"].push_back({{"diameter", study.at("diameter")}, {"reference", study.at("reference")}});
   for (const json& first : studies.at(0).at("settings")) {
-    json entry{{"name", first["name"]}, {"overrides", first.value("overrides", json::array())}, {"gain", 1e300},
-               {"error", 0.0}, {"hidden", 0.0}, {"step_over_limit", 0.0}};
+    json entry{{"name", first["name"]}, {"overrides", first.value("overrides", json::array())},
+               {"gain", 1e300},         {"error", 0.0},
+               {"hidden", 0.0},         {"step_over_limit", 0.0}};
     const bool everywhere = std::all_of(studies.begin(), studies.end(), [&](const json& study) {
       const auto& all = study.at("settings");
-      const auto found = std::find_if(all.begin(), all.end(),
-                                      [&](const json& s) { return s["name"] == first["name"]; });
+      const auto found =
+          std::find_if(all.begin(), all.end(), [&](const json& s) { return s["name"] == first["name"]; });
       // What is dearer than the best that this study could afford is judged by the others.
-      const auto best = std::find_if(all.begin(), all.end(),
-                                     [&](const json& s) { return s["name"] == study.at("reference"); });
+      const auto best =
+          std::find_if(all.begin(), all.end(), [&](const json& s) { return s["name"] == study.at("reference"); });
       if (found < best) return true;
       if (found == all.end() || !found->contains("error") || (*found)["kind"] != "numerics" ||
           (*found)["overrides"] != entry["overrides"])
@@ -172,8 +179,8 @@ const json& cheapest_within(const json& measured, double tolerance) {
 }
 
 std::string table(const json& results) {
-  std::string text = fmt::format("{:<26} {:>5} {:>7} {:>10} {:>7} {:>8} {:>8}  {}\n", "setting", "runs",
-                                 "bursts", "cost", "gain", "error", "hidden", "");
+  std::string text = fmt::format("{:<26} {:>5} {:>7} {:>10} {:>7} {:>8} {:>8}  {}\n", "setting", "runs", "bursts",
+                                 "cost", "gain", "error", "hidden", "");
   for (const json& s : results.at("settings")) {
     const std::string name = s["name"];
     if (s.contains("refused")) {
@@ -184,10 +191,9 @@ std::string table(const json& results) {
       const auto number = [&](const char* key) {
         return s.contains(key) ? fmt::format("{:.3f}", s[key].get<double>()) : std::string("too few");
       };
-      text += fmt::format("{:<26} {:>5} {:>7} {:>10.3g} {:>7.2f} {:>8} {:>8}  {}\n", name,
-                          s["runs"].get<int>(), s["bursts"].get<double>(), s["cost"].get<double>(),
-                          s["gain"].get<double>(), number("error"), number("hidden"),
-                          s.value("front", false) ? "front" : "");
+      text += fmt::format("{:<26} {:>5} {:>7} {:>10.3g} {:>7.2f} {:>8} {:>8}  {}\n", name, s["runs"].get<int>(),
+                          s["bursts"].get<double>(), s["cost"].get<double>(), s["gain"].get<double>(), number("error"),
+                          number("hidden"), s.value("front", false) ? "front" : "");
     }
   }
   for (const auto& [preset, name] : results.at("presets").items())
@@ -195,4 +201,4 @@ std::string table(const json& results) {
   return text;
 }
 
-}  // namespace clog::trade
+}  // namespace clogflow::trade

@@ -8,7 +8,7 @@
 
 #include "trade/study.hpp"
 
-namespace clog::trade {
+namespace clogflow::trade {
 
 /// Fewer whole bursts than this in a sample, and no difference of it is judged.
 inline constexpr double least_bursts = 10;
@@ -36,4 +36,4 @@ const nlohmann::json& cheapest_within(const nlohmann::json& measured, double tol
 /// A table for a person.
 std::string table(const nlohmann::json& results);
 
-}  // namespace clog::trade
+}  // namespace clogflow::trade

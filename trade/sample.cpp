@@ -7,13 +7,13 @@
 #include <map>
 #include <numeric>
 
-#include "coupling/require.hpp"
-#include "coupling/run_file.hpp"
-#include "coupling/run_record.hpp"
-#include "postprocess/confidence.hpp"
-#include "postprocess/run_groups.hpp"
+#include "coupling/base/require.hpp"
+#include "coupling/files/run_file.hpp"
+#include "coupling/files/run_record.hpp"
+#include "postprocess/events/run_groups.hpp"
+#include "postprocess/laws/confidence.hpp"
 
-namespace clog::trade {
+namespace clogflow::trade {
 
 namespace fs = std::filesystem;
 using postprocess::Totals;
@@ -42,9 +42,9 @@ void add_run(Sample& sample, const fs::path& file) {
   const postprocess::SeedRecord record = record_of(run, scene, scale);
   for (int k = 0; k < pieces_per_run; ++k) {
     const double length = (record.window.end - record.window.start) / pieces_per_run;
-    const postprocess::Window span{
-        record.window.start + k * length,
-        k + 1 == pieces_per_run ? record.window.end : record.window.start + (k + 1) * length};
+    const postprocess::Window span{record.window.start + k * length, k + 1 == pieces_per_run
+                                                                         ? record.window.end
+                                                                         : record.window.start + (k + 1) * length};
     Piece piece{run.seed, k, totals_of(record, scale, span)};
     if (k + 1 < pieces_per_run) piece.totals.seeds = 0;
     add_series(piece, run, span, scene.particles.diameter);
@@ -78,8 +78,7 @@ double share(const Pieces& p, double Totals::*part, double Totals::*whole) {
 }
 
 double mean(const Pieces& p, double Piece::*member) {
-  return sum(p, [&](const Piece& x) { return x.*member; }) /
-         sum(p, [](const Piece& x) { return x.samples; });
+  return sum(p, [&](const Piece& x) { return x.*member; }) / sum(p, [](const Piece& x) { return x.samples; });
 }
 
 double alpha(const Pieces& p) {
@@ -137,16 +136,14 @@ Difference compare(const Observable& observable, const Sample& reference, const 
     const double before = observable.value(side(drawn, 0)), after = observable.value(side(drawn, 1));
     return observable.is_share ? after - before : (after - before) / before;
   };
-  if (reference.pieces.empty() || sample.pieces.empty())
-    return {undefined, undefined, undefined, undefined, undefined};
+  if (reference.pieces.empty() || sample.pieces.empty()) return {undefined, undefined, undefined, undefined, undefined};
   // Shared among the observables (Bonferroni): a setting that changes nothing is called different once in
   // twenty times, whichever observable says so.
   const double level = 1 - 0.05 / static_cast<double>(observables().size());
-  const postprocess::Estimate e =
-      postprocess::bootstrap_over_seeds(pairs.size(), difference, {.level = level});
+  const postprocess::Estimate e = postprocess::bootstrap_over_seeds(pairs.size(), difference, {.level = level});
   std::vector<std::size_t> all(pairs.size());
   std::iota(all.begin(), all.end(), 0);
   return {observable.value(side(all, 0)), observable.value(side(all, 1)), e.low, e.high, e.value};
 }
 
-}  // namespace clog::trade
+}  // namespace clogflow::trade

@@ -8,14 +8,14 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "coupling/publish_file.hpp"
-#include "coupling/require.hpp"
-#include "dem/initial_particles.hpp"
+#include "coupling/base/publish_file.hpp"
+#include "coupling/base/require.hpp"
 #include "dem/physics/dimensionless.hpp"
-#include "dem/simulation.hpp"
-#include "dem/step_limit.hpp"
+#include "dem/run/simulation.hpp"
+#include "dem/stability/step_limit.hpp"
+#include "dem/state/initial_particles.hpp"
 
-namespace clog {
+namespace clogflow {
 
 namespace {
 
@@ -23,15 +23,15 @@ namespace {
 constexpr int trial_steps = 2000;
 constexpr double first_trial = 0.5, largest_trial = 8, growth = 1.2;  ///< times the prediction
 constexpr int bisections = 4;
-constexpr double reference_share = 0.2;  ///< of the limit, the step taken as exact
+constexpr double reference_share = 0.2;           ///< of the limit, the step taken as exact
 constexpr int reference_steps = 5 * trial_steps;  ///< as long as a trial at the limit
 
 /// Kinetic over elastic energy of a push, of rest, and of shaking.
 constexpr double push = 1e-9, rest = 1e-12, shaking = 10 * push;
 constexpr int settling_blocks = 40, block_steps = 2000;
 
-constexpr double shaken = 10;            ///< kinetic energy over the reference's that counts as unstable
-constexpr double floor_share = 1e-6;     ///< of the elastic energy: motion that does not matter
+constexpr double shaken = 10;         ///< kinetic energy over the reference's that counts as unstable
+constexpr double floor_share = 1e-6;  ///< of the elastic energy: motion that does not matter
 constexpr double accurate_energy = 0.05, accurate_shift = 0.01;
 
 double halton(int index, int base) {
@@ -50,9 +50,9 @@ std::string column(const ExtremePoint& point, double overlap) {
   const double spin = 10 * overlap * std::sqrt(point.youngs_modulus / 1062) / d;
   for (int k = 0; k < point.particles; ++k) {
     const auto off = [&](int base) { return 0.02 * d * (halton(k + 1, base) - 0.5); };
-    text += fmt::format("{},{},{},{},{},{}\n", (k % 3 - 1) * d * 1.01 + off(2), (k / 3 % 3 - 1) * d * 1.01 + off(3),
-                        d / 2 + (k / 9) * pitch - overlap * d, spin * off(5) / d, spin * off(7) / d,
-                        spin * off(11) / d);
+    text +=
+        fmt::format("{},{},{},{},{},{}\n", (k % 3 - 1) * d * 1.01 + off(2), (k / 3 % 3 - 1) * d * 1.01 + off(3),
+                    d / 2 + (k / 9) * pitch - overlap * d, spin * off(5) / d, spin * off(7) / d, spin * off(11) / d);
   }
   return text;
 }
@@ -69,7 +69,9 @@ youngs_modulus = "{} Pa"
 poisson_ratio = 0.35
 [time]
 end = "1 s"
-)", p.viscosity, p.diameter, p.youngs_modulus), "extremes");
+)",
+                                    p.viscosity, p.diameter, p.youngs_modulus),
+                        "extremes");
   const double d = p.diameter, half = 1.6 * d;
   s.box.present = true;
   s.box.min = {-half, -half, 0}, s.box.max = {half, half, 8 * d};
@@ -151,7 +153,8 @@ bool settle(Simulation& simulation) {
     walk(simulation, block_steps, true);
     if (walk(simulation, block_steps / 10, false) < rest) return true;
     simulation.compute_forces();
-    if (const double limit = limit_now(simulation); std::isfinite(limit)) simulation.change_step(reference_share * limit);
+    if (const double limit = limit_now(simulation); std::isfinite(limit))
+      simulation.change_step(reference_share * limit);
     simulation.advance();
   }
   return false;
@@ -194,7 +197,9 @@ private:
     const double each = energy / (6.0 * static_cast<double>(p.size()));
     int number = 0;
     for (std::size_t i = 0; i < p.size(); ++i) {
-      const auto kick = [&](double inertia) { return std::copysign(std::sqrt(2 * each / inertia), halton(++number, 2) - 0.5); };
+      const auto kick = [&](double inertia) {
+        return std::copysign(std::sqrt(2 * each / inertia), halton(++number, 2) - 0.5);
+      };
       for (double* v : {&p[i].vx, &p[i].vy, &p[i].vz}) *v += kick(p[i].mass);
       for (double* w : {&p[i].wx, &p[i].wy, &p[i].wz}) *w += kick(p[i].inertia);
     }
@@ -226,9 +231,9 @@ void measure_limit(const Resting& resting, StabilityResult& result) {
 
 struct Trial {
   bool broke = false;
-  double kinetic = 0;   ///< mean over the second half of the time [J]
-  double elastic = 0;   ///< at the end [J]
-  double height = 0;    ///< mean, at the end [m]
+  double kinetic = 0;                                      ///< mean over the second half of the time [J]
+  double elastic = 0;                                      ///< at the end [J]
+  double height = 0;                                       ///< mean, at the end [m]
   double limit = std::numeric_limits<double>::infinity();  ///< least of its contacts [s]
 };
 
@@ -263,8 +268,7 @@ void judge(const Column& column, StabilityResult& result) {
   const Trial trial = run_trial(column, result.step, duration);
   const double energy = std::abs(trial.elastic - reference.elastic);
   const double shift = std::abs(trial.height - reference.height) / result.point.diameter;
-  const bool unstable =
-      trial.broke || trial.kinetic > shaken * reference.kinetic + floor_share * reference.elastic;
+  const bool unstable = trial.broke || trial.kinetic > shaken * reference.kinetic + floor_share * reference.elastic;
   result.verdict = unstable ? Verdict::unstable
                    : energy <= accurate_energy * reference.elastic + 1e-30 && shift <= accurate_shift
                        ? Verdict::accurate
@@ -282,11 +286,10 @@ std::vector<ExtremePoint> extreme_points(int count) {
   std::vector<ExtremePoint> points;
   for (int k = 1; k <= count; ++k) {
     const auto u = [&](int prime) { return std::fmod(k * std::sqrt(prime), 1.0); };
-    points.push_back({k, log_between(u(2), 1e-6, 1e-3), log_between(u(3), 1e-6, 10),
-                      log_between(u(5), 1e5, 1e11), log_between(u(7), 1e-6, 1), 0.36 + 0.64 * u(11),
-                      k % 7 == 0 ? 0 : log_between(u(13), 0.01, 10), log_between(u(17), 0.01, 1),
-                      1 + static_cast<int>(27 * u(19)), log_between(u(23), 1.0 / 200, 1.0 / 2), k % 2 == 0,
-                      static_cast<Integrator>(k % 3)});
+    points.push_back({k, log_between(u(2), 1e-6, 1e-3), log_between(u(3), 1e-6, 10), log_between(u(5), 1e5, 1e11),
+                      log_between(u(7), 1e-6, 1), 0.36 + 0.64 * u(11), k % 7 == 0 ? 0 : log_between(u(13), 0.01, 10),
+                      log_between(u(17), 0.01, 1), 1 + static_cast<int>(27 * u(19)),
+                      log_between(u(23), 1.0 / 200, 1.0 / 2), k % 2 == 0, static_cast<Integrator>(k % 3)});
   }
   return points;
 }
@@ -319,4 +322,4 @@ StabilityResult measure(const ExtremePoint& point) {
   return result;
 }
 
-}  // namespace clog
+}  // namespace clogflow

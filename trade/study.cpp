@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <chrono>
 
-#include "coupling/publish_file.hpp"
-#include "coupling/require.hpp"
-#include "coupling/text_file.hpp"
+#include "coupling/base/publish_file.hpp"
+#include "coupling/base/require.hpp"
+#include "coupling/base/text_file.hpp"
 
-namespace clog::trade {
+namespace clogflow::trade {
 
 namespace fs = std::filesystem;
 
@@ -40,9 +40,7 @@ Scene scene_of(const Study& study, const Setting& setting) {
   return read_scene(study.scene_file, overrides);
 }
 
-fs::path folder_of(const Study& study, const Setting& setting) {
-  return study.directory / "runs" / setting.name;
-}
+fs::path folder_of(const Study& study, const Setting& setting) { return study.directory / "runs" / setting.name; }
 
 std::string refusal_of(const Study& study, const Setting& setting) {
   for (const std::uint64_t seed : scene_of(study, setting).ensemble.seeds)
@@ -80,4 +78,4 @@ void run_study(const Study& study, Ranks& ranks, const std::function<void(const 
   ranks.sum(0);  // nobody reads before everybody has written
 }
 
-}  // namespace clog::trade
+}  // namespace clogflow::trade

@@ -7,21 +7,21 @@
 #include <string>
 #include <vector>
 
-#include "coupling/flow_grid.hpp"
-#include "dem/ranks.hpp"
-#include "dem/seed_run.hpp"
+#include "coupling/files/flow_grid.hpp"
+#include "ensemble/ranks.hpp"
+#include "ensemble/seed_run.hpp"
 #include "trade/knobs.hpp"
 
-namespace clog::trade {
+namespace clogflow::trade {
 
 struct Study {
   std::filesystem::path scene_file;
-  Overrides overrides;                  ///< of all settings
+  Overrides overrides;  ///< of all settings
   const FlowGrid* flow = nullptr;
   std::filesystem::path directory;
-  double budget = 0;                    ///< of wall-clock time [s]
+  double budget = 0;  ///< of wall-clock time [s]
   const std::atomic<bool>* stop = nullptr;
-  std::vector<std::string> only = {};   ///< names of the settings to run; empty: all
+  std::vector<std::string> only = {};  ///< names of the settings to run; empty: all
 };
 
 /// Scene of one setting. \throws Error
@@ -38,4 +38,4 @@ void run_study(const Study& study, Ranks& ranks, const std::function<void(const 
 /// Why a setting was refused, or an empty text.
 std::string refusal_of(const Study& study, const Setting& setting);
 
-}  // namespace clog::trade
+}  // namespace clogflow::trade

@@ -3,21 +3,17 @@
 #include <algorithm>
 #include <array>
 
-#include "coupling/json_text.hpp"
-#include "coupling/require.hpp"
-#include "coupling/text_file.hpp"
+#include "coupling/base/json_text.hpp"
+#include "coupling/base/require.hpp"
+#include "coupling/base/text_file.hpp"
 
-namespace clog::trade {
+namespace clogflow::trade {
 namespace {
 
 using nlohmann::json;
 
-bool has_number(const json& object, const char* key) {
-  return object.contains(key) && object[key].is_number();
-}
-bool has_text(const json& object, const char* key) {
-  return object.contains(key) && object[key].is_string();
-}
+bool has_number(const json& object, const char* key) { return object.contains(key) && object[key].is_number(); }
+bool has_text(const json& object, const char* key) { return object.contains(key) && object[key].is_string(); }
 
 bool is_setting(const json& setting) {
   if (!setting.is_object() || !has_text(setting, "name")) return false;
@@ -29,9 +25,8 @@ bool is_setting(const json& setting) {
 
 bool is_study(const json& study) {
   return study.is_object() && has_text(study, "format") && study["format"] == "clogflow trade 1" &&
-         has_number(study, "diameter") && has_text(study, "reference") &&
-         study.contains("settings") && study["settings"].is_array() &&
-         std::ranges::all_of(study["settings"], is_setting);
+         has_number(study, "diameter") && has_text(study, "reference") && study.contains("settings") &&
+         study["settings"].is_array() && std::ranges::all_of(study["settings"], is_setting);
 }
 
 }  // namespace
@@ -42,4 +37,4 @@ json read_study(const std::filesystem::path& file) {
   return study;
 }
 
-}  // namespace clog::trade
+}  // namespace clogflow::trade

@@ -5,9 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
-namespace clog::trade {
+namespace clogflow::trade {
 
 /// \throws Error naming the file, unless it holds what `combine` asks of a study
 nlohmann::json read_study(const std::filesystem::path& file);
 
-}  // namespace clog::trade
+}  // namespace clogflow::trade

@@ -4,7 +4,7 @@
 #include "dem/kernels/lanes.hpp"
 #include "dem/physics/drag.hpp"
 
-namespace clog {
+namespace clogflow {
 namespace {
 
 /// The particles of one vector, a row of their state after the other.
@@ -93,4 +93,4 @@ struct Moved {
 }
 
 }  // namespace
-}  // namespace clog
+}  // namespace clogflow

@@ -3,7 +3,7 @@
 
 #include "dem/kernels/lanes.hpp"
 
-namespace clog {
+namespace clogflow {
 namespace {
 
 /// What a vector of contacts tells the lists.
@@ -52,8 +52,7 @@ void begin_contacts(const ContactPointers& c, const Gap& gap, const Ahead& ahead
   const std::size_t count = *c.watched.count;
   for (std::size_t from = 0; from < count; from += lanes) {
     ahead(from + vectors_ahead * lanes);
-    changes.note(gap(c.watched.first + from, c.watched.second + from) < Lanes(0.0), from,
-                 lanes_left(from, count));
+    changes.note(gap(c.watched.first + from, c.watched.second + from) < Lanes(0.0), from, lanes_left(from, count));
   }
   while (changes.count > 0) {
     const std::size_t at = *c.touching.count;
@@ -65,8 +64,7 @@ void begin_contacts(const ContactPointers& c, const Gap& gap, const Ahead& ahead
 void end_contacts(const ContactPointers& c, Changes& changes) {
   while (changes.count > 0) {
     const std::size_t at = changes.rows[--changes.count], last = *c.touching.count - 1;
-    for (int part = 0; part < 7; ++part)
-      spring_part(c.springs, part, at) = spring_part(c.springs, part, last);
+    for (int part = 0; part < 7; ++part) spring_part(c.springs, part, at) = spring_part(c.springs, part, last);
     move_row(c.touching, at, c.watched);
   }
 }
@@ -86,10 +84,8 @@ Springs<Lanes> load_springs(const ContactPointers& s, std::size_t from) {
 template <ContactTerms terms>
 void store_springs(const ContactPointers& s, std::size_t from, const Springs<Lanes>& springs) {
   const auto write = [&](int c, const Lanes& v) { store_lanes(&spring_part(s.springs, c, from), v); };
-  if constexpr (terms.sliding)
-    write(0, springs.sliding.x), write(1, springs.sliding.y), write(2, springs.sliding.z);
-  if constexpr (terms.rolling)
-    write(3, springs.rolling.x), write(4, springs.rolling.y), write(5, springs.rolling.z);
+  if constexpr (terms.sliding) write(0, springs.sliding.x), write(1, springs.sliding.y), write(2, springs.sliding.z);
+  if constexpr (terms.rolling) write(3, springs.rolling.x), write(4, springs.rolling.y), write(5, springs.rolling.z);
   if constexpr (terms.torsion) write(6, springs.torsion);
 }
 
@@ -100,4 +96,4 @@ void for_vectors(std::size_t count, const Each& each) {
 }
 
 }  // namespace
-}  // namespace clog
+}  // namespace clogflow

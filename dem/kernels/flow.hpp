@@ -3,7 +3,7 @@
 
 #include "dem/kernels/lanes.hpp"
 
-namespace clog {
+namespace clogflow {
 namespace {
 
 /// Whole numbers of each lane, truncated.
@@ -48,4 +48,4 @@ struct Whole {
 }
 
 }  // namespace
-}  // namespace clog
+}  // namespace clogflow

@@ -3,9 +3,9 @@
 // therefore use nothing that another file could also instantiate (no containers).
 #pragma once
 
-#include "dem/kernels.hpp"
+#include "dem/kernels/kernels.hpp"
 
-namespace clog {
+namespace clogflow {
 namespace {
 
 using Lanes = stdx::native_simd<double>;
@@ -92,23 +92,20 @@ template <class V>
     columns.c[c] = join<Lanes>(column);
   }
 #else
-  for (int c = 0; c < 4; ++c)
-    columns.c[c] = Lanes([&](auto k) { return base[stride * at[k] + c]; });
+  for (int c = 0; c < 4; ++c) columns.c[c] = Lanes([&](auto k) { return base[stride * at[k] + c]; });
 #endif
   return columns;
 }
 
 /// Records of i less those of j, lane by lane: subtracted before they are transposed, which is once
 /// instead of twice.
-[[gnu::always_inline]] inline Columns load_differences(const double* base, int stride, Index i,
-                                                       Index j) {
+[[gnu::always_inline]] inline Columns load_differences(const double* base, int stride, Index i, Index j) {
 #ifdef __AVX__
   Columns columns;
   RawQuad quads[lanes / 4][4];
   for (int half = 0; half < lanes / 4; ++half) {
     for (int k = 0; k < 4; ++k)
-      quads[half][k] =
-          load_quad(base + stride * i[4 * half + k]) - load_quad(base + stride * j[4 * half + k]);
+      quads[half][k] = load_quad(base + stride * i[4 * half + k]) - load_quad(base + stride * j[4 * half + k]);
     transpose(quads[half]);
   }
   for (int c = 0; c < 4; ++c) {
@@ -141,8 +138,7 @@ struct Records {
   double rows[lanes][4];
 
   explicit Records(const Vector<Lanes>& v, const Lanes& w = Lanes(0.0)) {
-    for (int k = 0; k < lanes; ++k)
-      rows[k][0] = v.x[k], rows[k][1] = v.y[k], rows[k][2] = v.z[k], rows[k][3] = w[k];
+    for (int k = 0; k < lanes; ++k) rows[k][0] = v.x[k], rows[k][1] = v.y[k], rows[k][2] = v.z[k], rows[k][3] = w[k];
   }
 #endif
 
@@ -194,13 +190,11 @@ constexpr std::size_t stay_near = 2000;
   if (p.count <= stay_near) return;
   constexpr int line = 64 / sizeof(double);
   for (int k = 0; k < lanes; ++k)
-    for (int part = 0; part < parts; part += line)
-      __builtin_prefetch(p.state + record_stride * at[k] + part, 1);
+    for (int part = 0; part < parts; part += line) __builtin_prefetch(p.state + record_stride * at[k] + part, 1);
 }
 
 /// Row `row` of particles one after the other; beyond `used` the last one again.
-[[gnu::always_inline]] inline Columns load_row(const ParticlePointers& p, int row, std::size_t from,
-                                               int used) {
+[[gnu::always_inline]] inline Columns load_row(const ParticlePointers& p, int row, std::size_t from, int used) {
   int at[lanes];
   for (int k = 0; k < lanes; ++k) at[k] = k < used ? k : used - 1;
   return load_records(p.state + record_stride * from + row, record_stride, at);
@@ -232,21 +226,21 @@ struct Moving {
   return {c.c[0], c.c[1], c.c[2]};
 }
 
-[[gnu::always_inline]] inline void add_force(const ParticlePointers& p, Index at,
-                                             const Vector<Lanes>& force, int used) {
+[[gnu::always_inline]] inline void add_force(const ParticlePointers& p, Index at, const Vector<Lanes>& force,
+                                             int used) {
   Records(force).apply<1>(p.loads, at, used);
 }
 
 /// Newton's third law: i gets the force, j its opposite.
-[[gnu::always_inline]] inline void add_force(const ParticlePointers& p, Index i, Index j,
-                                             const Vector<Lanes>& force, int used) {
+[[gnu::always_inline]] inline void add_force(const ParticlePointers& p, Index i, Index j, const Vector<Lanes>& force,
+                                             int used) {
   const Records records(force);
   records.apply<1>(p.loads, i, used);
   records.apply<-1>(p.loads, j, used);
 }
 
-[[gnu::always_inline]] inline void add_torque(const ParticlePointers& p, Index at,
-                                              const Vector<Lanes>& torque, int used) {
+[[gnu::always_inline]] inline void add_torque(const ParticlePointers& p, Index at, const Vector<Lanes>& torque,
+                                              int used) {
   Records(torque).apply<1>(p.loads + 4, at, used);
 }
 
@@ -279,4 +273,4 @@ struct Moving {
 }
 
 }  // namespace
-}  // namespace clog
+}  // namespace clogflow

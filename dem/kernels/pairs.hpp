@@ -3,7 +3,7 @@
 
 #include "dem/kernels/contact_rows.hpp"
 
-namespace clog {
+namespace clogflow {
 namespace {
 
 /// Places of pairs and their sizes. Equal spheres need one transposition instead of two, and all
@@ -48,8 +48,7 @@ void lubricate(const PairTask& task, Index i, Index j, int used) {
   const Lanes gap = -place.overlap(sqrt(distance2));
   const Lanes coefficient = film_coefficient(law, place.effective_radius(), gap, distance2);
   const Vector<Lanes> velocity = load_pair_motion<equal>(task, i, j).velocity;
-  add_force(task.particles, i, j, (-(coefficient * dot(velocity, place.apart))) * place.apart,
-            used);
+  add_force(task.particles, i, j, (-(coefficient * dot(velocity, place.apart))) * place.apart, used);
 }
 
 template <class Kind, ContactTerms terms, bool equal>
@@ -84,13 +83,16 @@ template <class Kind, ContactTerms terms, bool equal>
   const PairTask task = given;
   const auto law = task.law.constants.as<typename Kind::Normal>();
   const ContactPointers& c = task.contacts;
-  begin_contacts(c, [&](Index i, Index j) {
-    const PairPlace<Lanes> place = load_pair_place<equal>(task, i, j);
-    return -place.overlap(place.distance());
-  }, [&](std::size_t row) {
-    ask_for(task.particles, c.watched.first + row, 1);
-    ask_for(task.particles, c.watched.second + row, 1);
-  });
+  begin_contacts(
+      c,
+      [&](Index i, Index j) {
+        const PairPlace<Lanes> place = load_pair_place<equal>(task, i, j);
+        return -place.overlap(place.distance());
+      },
+      [&](std::size_t row) {
+        ask_for(task.particles, c.watched.first + row, 1);
+        ask_for(task.particles, c.watched.second + row, 1);
+      });
   Lanes deepest(0.0);
   Changes ended{c.changed};
   for_vectors(*c.touching.count, [&](std::size_t from, int used) {
@@ -112,4 +114,4 @@ template <class Kind, ContactTerms terms, bool equal>
 }
 
 }  // namespace
-}  // namespace clog
+}  // namespace clogflow

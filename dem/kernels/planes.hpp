@@ -3,7 +3,7 @@
 
 #include "dem/kernels/contact_rows.hpp"
 
-namespace clog {
+namespace clogflow {
 namespace {
 
 /// Particles over their planes.
@@ -28,8 +28,7 @@ Contacts collide_plane(const PlaneTask& task, const typename Kind::Normal& law, 
   const OverPlane over(task, i, task.contacts.touching.second + from);
   const Moving m = load_motion(p, i);
   const Lanes least = least_overlap(law, over.radius);
-  const ContactGeometry<Lanes> contact =
-      wall_contact(over.normal, max(over.overlap, least), over.radius, m.mass);
+  const ContactGeometry<Lanes> contact = wall_contact(over.normal, max(over.overlap, least), over.radius, m.mass);
   const Vector<Lanes> still{Lanes(0.0), Lanes(0.0), Lanes(0.0)};
   const ContactMotion<Lanes> motion{m.velocity, load_spin(p, i), still};
   Springs<Lanes> springs = load_springs<terms>(task.contacts, from);
@@ -37,8 +36,7 @@ Contacts collide_plane(const PlaneTask& task, const typename Kind::Normal& law, 
       contact_loads<typename Kind::Turning, terms>(law, task.law.friction, contact, motion, task.dt, springs);
   store_springs<terms>(task.contacts, from, springs);
   add_force(p, i, loads.force, used);
-  if constexpr (terms.sliding || terms.rolling || terms.torsion)
-    add_torque(p, i, loads.torque_i, used);
+  if constexpr (terms.sliding || terms.rolling || terms.torsion) add_torque(p, i, loads.torque_i, used);
   return {over.overlap, over.overlap <= least};
 }
 
@@ -82,4 +80,4 @@ template <class Kind, ContactTerms terms>
 }
 
 }  // namespace
-}  // namespace clog
+}  // namespace clogflow

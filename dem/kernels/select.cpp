@@ -3,21 +3,19 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "coupling/require.hpp"
-#include "dem/kernels.hpp"
+#include "coupling/base/require.hpp"
+#include "dem/kernels/kernels.hpp"
 
-namespace clog {
+namespace clogflow {
 
 namespace {
 
 bool processor_has(const Kernels& kernels) {
   if (&kernels == &kernels_avx512)
     return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-           __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw") &&
-           __builtin_cpu_supports("fma");
+           __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("fma");
   if (&kernels == &kernels_avx2)
-    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
-           __builtin_cpu_supports("bmi2");
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2");
   return true;
 }
 
@@ -34,4 +32,4 @@ const Kernels& select_kernels(const char* wanted) {
   throw Error(fmt::format("CLOG_ISA = {} (must be avx512, avx2 or x86_64)", wanted));
 }
 
-}  // namespace clog
+}  // namespace clogflow

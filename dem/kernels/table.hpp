@@ -7,7 +7,7 @@
 #include "dem/kernels/planes.hpp"
 #include "dem/physics/contact_laws.hpp"
 
-namespace clog {
+namespace clogflow {
 namespace {
 
 /// Calls the loop that is compiled for these terms.
@@ -63,7 +63,9 @@ ContactTally collide_planes_of(KindList<Kinds...>, const PlaneTask& task, Contac
   return loops[task.law.row->number](task, terms);
 }
 
-ContactTally any_pairs(const PairTask& task, ContactTerms terms) { return collide_pairs_of(ContactKinds{}, task, terms); }
+ContactTally any_pairs(const PairTask& task, ContactTerms terms) {
+  return collide_pairs_of(ContactKinds{}, task, terms);
+}
 
 ContactTally any_planes(const PlaneTask& task, ContactTerms terms) {
   return collide_planes_of(ContactKinds{}, task, terms);
@@ -74,4 +76,4 @@ constexpr Kernels make_kernels(const char* name) {
 }
 
 }  // namespace
-}  // namespace clog
+}  // namespace clogflow

@@ -4,7 +4,7 @@
 
 #include "dem/physics/number.hpp"
 
-namespace clog {
+namespace clogflow {
 
 /// What two bodies have in common when each resists on its own: R* of two radii, m* of two masses.
 ///   a b / (a + b)
@@ -74,4 +74,4 @@ ContactGeometry<Real> wall_contact(const Vector<Real>& normal, const Real& overl
   return {normal, overlap, radius, mass, radius - Real(0.5) * overlap, Real(0.0)};
 }
 
-}  // namespace clog
+}  // namespace clogflow

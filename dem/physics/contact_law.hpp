@@ -11,7 +11,7 @@
 #include "dem/physics/stiffness.hpp"
 #include "dem/physics/time_step.hpp"
 
-namespace clog {
+namespace clogflow {
 
 struct ContactLaw;
 
@@ -80,4 +80,4 @@ struct ContactLaw {
   double reach(double radius) const { return row->reach(*this, radius); }
 };
 
-}  // namespace clog
+}  // namespace clogflow

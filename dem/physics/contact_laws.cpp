@@ -3,9 +3,9 @@
 #include <array>
 #include <string>
 
-#include "coupling/require.hpp"
+#include "coupling/base/require.hpp"
 
-namespace clog {
+namespace clogflow {
 
 namespace {
 
@@ -17,25 +17,25 @@ constexpr ContactLawRow make_row(int number) {
   using Turning = typename Kind::Turning;
   return {
       .number = number,
-      .loads = [](const ContactLaw& law, const ContactGeometry<double>& g, const ContactMotion<double>& m, double dt,
-                  Springs<double>& springs) {
-        return contact_loads<Turning, all>(law.constants.as<Law>(), law.friction, g, m, dt, springs);
-      },
-      .stored_energy = [](const ContactLaw& law, const ContactGeometry<double>& g, const Springs<double>& springs) {
-        return clog::stored_energy<Turning>(law.constants.as<Law>(), g, springs);
-      },
-      .modes = [](const ContactLaw& law, const ContactTerms& terms, const ContactGeometry<double>& g) {
-        return contact_modes<Turning>(law.constants.as<Law>(), terms, g);
-      },
-      .overlap_at = [](const ContactLaw& law, double load, double radius) {
-        return law.constants.as<Law>().overlap_at(load, radius);
-      },
-      .impact_overlap = [](const ContactLaw& law, double mass, double speed, double radius) {
-        return law.constants.as<Law>().impact_overlap(mass, speed, radius);
-      },
-      .contact_time = [](const ContactLaw& law, const Impact& impact) {
-        return law.constants.as<Law>().contact_time(impact);
-      },
+      .loads =
+          [](const ContactLaw& law, const ContactGeometry<double>& g, const ContactMotion<double>& m, double dt,
+             Springs<double>& springs) {
+            return contact_loads<Turning, all>(law.constants.as<Law>(), law.friction, g, m, dt, springs);
+          },
+      .stored_energy =
+          [](const ContactLaw& law, const ContactGeometry<double>& g, const Springs<double>& springs) {
+            return clogflow::stored_energy<Turning>(law.constants.as<Law>(), g, springs);
+          },
+      .modes =
+          [](const ContactLaw& law, const ContactTerms& terms, const ContactGeometry<double>& g) {
+            return contact_modes<Turning>(law.constants.as<Law>(), terms, g);
+          },
+      .overlap_at = [](const ContactLaw& law, double load,
+                       double radius) { return law.constants.as<Law>().overlap_at(load, radius); },
+      .impact_overlap = [](const ContactLaw& law, double mass, double speed,
+                           double radius) { return law.constants.as<Law>().impact_overlap(mass, speed, radius); },
+      .contact_time = [](const ContactLaw& law,
+                         const Impact& impact) { return law.constants.as<Law>().contact_time(impact); },
       .reach = [](const ContactLaw& law, double radius) { return law.constants.as<Law>().reach(radius); },
   };
 }
@@ -66,7 +66,8 @@ ContactLaw make_contact_law(std::string_view law, std::string_view turning, cons
     if (row.law == law && row.turning == turning) return {&row.row, row.constants(materials), friction};
     if (row.law == law) there += fmt::format("{}\"{}\"", there.empty() ? "" : ", ", row.turning);
   }
-  throw Error(fmt::format("contact.law = \"{}\" has no rolling and torsion as \"{}\" (there is {})", law, turning, there));
+  throw Error(
+      fmt::format("contact.law = \"{}\" has no rolling and torsion as \"{}\" (there is {})", law, turning, there));
 }
 
-}  // namespace clog
+}  // namespace clogflow

@@ -8,7 +8,7 @@
 #include "dem/physics/laws/hooke.hpp"
 #include "dem/physics/laws/jkr.hpp"
 
-namespace clog {
+namespace clogflow {
 
 /// Which loops are compiled for a row: one for each set of frictions and for equal spheres, or a single one
 /// for all, in which a friction of zero costs what any other does.
@@ -27,15 +27,14 @@ struct KindList {
 };
 
 /// The rows. A scene names the first two of each: contact.law, and how rolling and torsion turn.
-using ContactKinds = KindList<ContactKind<Hertz, LudingTurning, Loops::tailored>,
-                              ContactKind<Hertz, MercuryTurning, Loops::single>,
-                              ContactKind<Hertz, DoublingTurning, Loops::single>,
-                              ContactKind<Hooke, LudingTurning, Loops::single>,
-                              ContactKind<Jkr, LudingTurning, Loops::single>>;
+using ContactKinds =
+    KindList<ContactKind<Hertz, LudingTurning, Loops::tailored>, ContactKind<Hertz, MercuryTurning, Loops::single>,
+             ContactKind<Hertz, DoublingTurning, Loops::single>, ContactKind<Hooke, LudingTurning, Loops::single>,
+             ContactKind<Jkr, LudingTurning, Loops::single>>;
 
 /// The row of a law and a way of turning, with its constants.
 /// \throws Error if there is no such row
 ContactLaw make_contact_law(std::string_view law, std::string_view turning, const ContactMaterials& materials,
                             const FrictionLaw& friction);
 
-}  // namespace clog
+}  // namespace clogflow

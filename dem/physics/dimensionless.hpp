@@ -7,14 +7,14 @@
 #include "dem/physics/drag.hpp"
 #include "dem/physics/porosity.hpp"
 
-namespace clog {
+namespace clogflow {
 
 /// A sphere in a fluid.
 struct SphereInFluid {
-  double diameter;          ///< d [m]
-  double density;           ///< of the sphere [kg/m3]
-  double fluid_density;     ///< [kg/m3]
-  double viscosity;         ///< eta [Pa s]
+  double diameter;       ///< d [m]
+  double density;        ///< of the sphere [kg/m3]
+  double fluid_density;  ///< [kg/m3]
+  double viscosity;      ///< eta [Pa s]
 };
 
 /// rho v L / eta: inertia of the fluid over its viscosity.
@@ -25,15 +25,13 @@ inline double reynolds_number(double density, double speed, double length, doubl
 /// Time in which drag makes a sphere follow the fluid: m / (3 pi eta d f) [s].
 /// \param voidage  f(eps) [-]
 inline double response_time(const SphereInFluid& s, double voidage) {
-  return s.density * sphere_volume(s.diameter / 2) /
-         (stokes_coefficient(s.viscosity, s.diameter) * voidage);
+  return s.density * sphere_volume(s.diameter / 2) / (stokes_coefficient(s.viscosity, s.diameter) * voidage);
 }
 
 /// Stokes velocity of a heavy or light sphere over the flow's: |rho_p - rho_f| g d^2 / (18 eta v).
 inline double settling_ratio(const SphereInFluid& s, double speed) {
   constexpr double gravity = 9.81;  // [m/s2]
-  return std::abs(s.density - s.fluid_density) * gravity * s.diameter * s.diameter /
-         (18 * s.viscosity * speed);
+  return std::abs(s.density - s.fluid_density) * gravity * s.diameter * s.diameter / (18 * s.viscosity * speed);
 }
 
 /// Advection over Brownian diffusion: v d / (k T / (3 pi eta d)), at 293 K.
@@ -50,4 +48,4 @@ inline double collision_stokes_number(const SphereInFluid& s, double speed) {
   return mass * speed / (6 * std::numbers::pi * s.viscosity * radius * radius);
 }
 
-}  // namespace clog
+}  // namespace clogflow

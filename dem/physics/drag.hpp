@@ -5,7 +5,7 @@
 
 #include "dem/physics/number.hpp"
 
-namespace clog {
+namespace clogflow {
 
 /// What is known of a particle's surroundings when its drag is asked for.
 struct Surroundings {
@@ -43,4 +43,4 @@ Real implicit_drag_factor(Real rate) {
   return Real(1.0) / (Real(1.0) + rate);
 }
 
-}  // namespace clog
+}  // namespace clogflow

@@ -3,12 +3,12 @@
 
 #include <array>
 
-#include "coupling/require.hpp"
+#include "coupling/base/require.hpp"
 #include "dem/physics/drag_laws/beetstra.hpp"
 #include "dem/physics/drag_laws/hoef.hpp"
 #include "dem/physics/drag_laws/stokes.hpp"
 
-namespace clog {
+namespace clogflow {
 
 namespace {
 
@@ -27,4 +27,4 @@ const DragLaw& find_drag_law(std::string_view word) {
   throw Error(fmt::format("drag.law = \"{}\" has no row in the registry", word));
 }
 
-}  // namespace clog
+}  // namespace clogflow

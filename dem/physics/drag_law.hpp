@@ -5,7 +5,7 @@
 
 #include "dem/physics/drag.hpp"
 
-namespace clog {
+namespace clogflow {
 
 struct DragLaw {
   std::string_view word;                  ///< what a scene calls it
@@ -19,4 +19,4 @@ struct DragLaw {
 /// \throws Error if there is none of that name
 const DragLaw& find_drag_law(std::string_view word);
 
-}  // namespace clog
+}  // namespace clogflow

@@ -8,7 +8,7 @@
 #include "dem/physics/rolling_torsion.hpp"
 #include "dem/physics/sliding.hpp"
 
-namespace clog {
+namespace clogflow {
 
 /// Which springs exist; a term whose friction is zero is not even compiled in.
 struct ContactTerms {
@@ -75,9 +75,8 @@ struct DoublingTurning {
 /// \param law       a normal law, e.g. Hertz
 /// \param springs   of the last step; zero for a new contact; updated
 template <class Turning, ContactTerms terms, class NormalLaw, class Real>
-ContactLoads<Real> contact_loads(const NormalLaw& law, const FrictionLaw& friction,
-                                 const ContactGeometry<Real>& g, const ContactMotion<Real>& m, double dt,
-                                 Springs<Real>& springs) {
+ContactLoads<Real> contact_loads(const NormalLaw& law, const FrictionLaw& friction, const ContactGeometry<Real>& g,
+                                 const ContactMotion<Real>& m, double dt, Springs<Real>& springs) {
   const Real approach = dot(m.velocity, g.normal);
   const NormalResponse<Real> normal = law.respond(g, approach);
   ContactLoads<Real> loads{normal.force * g.normal, {}, {}};
@@ -111,8 +110,8 @@ ContactLoads<Real> contact_loads(const NormalLaw& law, const FrictionLaw& fricti
   }
   if constexpr (terms.torsion) {
     const auto [spring, force] =
-        spring_slider(Real(Turning::torsion_memory) * springs.torsion,
-                      torsion_velocity(g.radius, g.normal, spin), slider(friction.torsion, turning));
+        spring_slider(Real(Turning::torsion_memory) * springs.torsion, torsion_velocity(g.radius, g.normal, spin),
+                      slider(friction.torsion, turning));
     springs.torsion = spring;
     couple = couple + torsion_torque(g.radius, force) * g.normal;
   }
@@ -132,4 +131,4 @@ double stored_energy(const NormalLaw& law, const ContactGeometry<double>& g, con
          0.5 * stiffness * (dot(s.sliding, s.sliding) + dot(s.rolling, s.rolling) + s.torsion * s.torsion) + more;
 }
 
-}  // namespace clog
+}  // namespace clogflow

@@ -5,7 +5,7 @@
 
 #include "dem/physics/number.hpp"
 
-namespace clog {
+namespace clogflow {
 
 /// Secant stiffness of a Hertz contact, so that F = k delta; no adhesion, no plasticity.
 ///   k = 4/3 E* sqrt(R* delta)
@@ -46,4 +46,4 @@ inline double hertz_overlap(double force, double modulus, double radius) {
   return std::pow(3 * force / (4 * modulus * std::sqrt(radius)), 2.0 / 3.0);
 }
 
-}  // namespace clog
+}  // namespace clogflow

@@ -5,7 +5,7 @@
 
 #include "dem/physics/number.hpp"
 
-namespace clog {
+namespace clogflow {
 
 /// Radius of the contact area of two adhesive spheres, on the branch that is stable when the overlap is held:
 ///   delta = a^2 / R* - sqrt(2 pi w a / E*)
@@ -42,8 +42,7 @@ Real jkr_adhesion(double surface_energy, double modulus, const Real& radius) {
 template <class Real>
 Real jkr_force(double surface_energy, double modulus, const Real& radius, const Real& contact_radius) {
   const Real cube = contact_radius * contact_radius * contact_radius;
-  return (4.0 / 3.0 * modulus) * cube / radius -
-         sqrt(Real(8 * std::numbers::pi * surface_energy * modulus) * cube);
+  return (4.0 / 3.0 * modulus) * cube / radius - sqrt(Real(8 * std::numbers::pi * surface_energy * modulus) * cube);
 }
 
 /// Largest force that pulls without parting the spheres: 3/2 pi w R* [N].
@@ -62,4 +61,4 @@ Real jkr_reach(double surface_energy, double modulus, const Real& radius) {
   return 0.75 * cbrt(Real(share * share) * radius);
 }
 
-}  // namespace clog
+}  // namespace clogflow

@@ -5,7 +5,7 @@
 
 #include "dem/physics/number.hpp"
 
-namespace clog {
+namespace clogflow {
 
 /// Resistance of the fluid film squeezed between two spheres, or a sphere and a wall (R* = r); the
 /// leading term for small gaps, nothing tangential.
@@ -40,4 +40,4 @@ Real film_coefficient(const LubricationLaw& law, const Real& radius, const Real&
                 lubrication_coefficient(law.viscosity, radius, film * share), Real(0.0));
 }
 
-}  // namespace clog
+}  // namespace clogflow

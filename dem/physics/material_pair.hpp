@@ -1,7 +1,7 @@
 // Two materials in contact: effective moduli, and the dashpot that gives a restitution.
 #pragma once
 
-namespace clog {
+namespace clogflow {
 
 struct Material {
   double youngs_modulus;  ///< E [Pa] > 0
@@ -37,4 +37,4 @@ double damping_ratio(double restitution);
 /// \source Antypov & Elliott, EPL 94 (2011) 50004
 double damping_constant(double restitution);
 
-}  // namespace clog
+}  // namespace clogflow

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <experimental/simd>
 
-namespace clog {
+namespace clogflow {
 
 namespace stdx = std::experimental;
 
@@ -31,12 +31,8 @@ template <class Real>
 struct Vector {
   Real x, y, z;
 
-  friend Vector operator+(const Vector& a, const Vector& b) {
-    return {a.x + b.x, a.y + b.y, a.z + b.z};
-  }
-  friend Vector operator-(const Vector& a, const Vector& b) {
-    return {a.x - b.x, a.y - b.y, a.z - b.z};
-  }
+  friend Vector operator+(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+  friend Vector operator-(const Vector& a, const Vector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
   friend Vector operator*(const Real& s, const Vector& a) { return {s * a.x, s * a.y, s * a.z}; }
   friend Vector operator-(const Vector& a) { return {-a.x, -a.y, -a.z}; }
 };
@@ -51,4 +47,4 @@ Vector<Real> cross(const Vector<Real>& a, const Vector<Real>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-}  // namespace clog
+}  // namespace clogflow

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace clog {
+namespace clogflow {
 
 /// One step of an Ornstein-Uhlenbeck process of variance 1, exact for any step; stationary if it begins
 /// with a normal number.
@@ -18,4 +18,4 @@ inline double ornstein_uhlenbeck_step(double xi, double n, double share) {
   return std::exp(-share) * xi + std::sqrt(-std::expm1(-2 * share)) * n;
 }
 
-}  // namespace clog
+}  // namespace clogflow

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
-namespace clog {
+namespace clogflow {
 
 /// Volume of the part of a sphere that lies at x < plane.
 ///   V = pi r^3 (2/3 + t - t^3 / 3),  t = (plane - centre) / r limited to [-1, 1]
@@ -15,8 +15,6 @@ inline double sphere_volume_below(double centre, double radius, double plane) {
   return std::numbers::pi * radius * radius * radius * (2.0 / 3.0 + t - t * t * t / 3.0);
 }
 
-inline double sphere_volume(double radius) {
-  return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
-}
+inline double sphere_volume(double radius) { return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius; }
 
-}  // namespace clog
+}  // namespace clogflow

@@ -3,7 +3,7 @@
 
 #include "dem/physics/number.hpp"
 
-namespace clog {
+namespace clogflow {
 
 /// Rolling velocity of two spheres, objective: zero when both turn as one rigid body does.
 ///   v_r = -R* n x (w_i - w_j)
@@ -40,4 +40,4 @@ Real torsion_torque(Real radius, Real force) {
   return Real(2.0) * radius * force;
 }
 
-}  // namespace clog
+}  // namespace clogflow

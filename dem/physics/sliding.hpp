@@ -6,7 +6,7 @@
 
 #include "dem/physics/number.hpp"
 
-namespace clog {
+namespace clogflow {
 
 /// Tangential stiffness of a Hertz contact (Mindlin, no slip annulus), times a scene's factor.
 ///   k_t = factor 8 G* sqrt(R* delta)
@@ -33,8 +33,7 @@ Vector<Real> turn_into_plane(const Vector<Real>& spring, const Vector<Real>& nor
   if (!any_of(along * along > Real(std::numeric_limits<double>::epsilon()) * before)) return flat;
   const Real after = dot(flat, flat);
   const auto turnable = after > Real(0.0);
-  const Real scale =
-      select(turnable, sqrt(before / select(turnable, after, Real(1.0))), Real(0.0));
+  const Real scale = select(turnable, sqrt(before / select(turnable, after, Real(1.0))), Real(0.0));
   return scale * flat;
 }
 
@@ -61,21 +60,18 @@ struct SliderParameters {
 /// \return the spring after the step [m] and the force on the first particle [N]
 /// \source Cundall & Strack, Geotechnique 29 (1979) 47; Luding, Granular Matter 10 (2008) 235, sec. 3.2
 template <class Real>
-SpringSlider<Real, Vector<Real>> spring_slider(const Vector<Real>& spring,
-                                               const Vector<Real>& velocity,
+SpringSlider<Real, Vector<Real>> spring_slider(const Vector<Real>& spring, const Vector<Real>& velocity,
                                                const SliderParameters<Real>& p) {
   Vector<Real> s = spring + Real(p.dt) * velocity;
   const Real stretch = p.stiffness * p.stiffness * dot(s, s);
   const Real limit2 = p.limit * p.limit;
   // Few contacts of a pack at rest slip, and roots and divisions cost more than all the rest.
   const auto slips = stretch > limit2;
-  if (any_of(slips))
-    s = select(slips, p.limit / sqrt(select(slips, stretch, Real(1.0))), Real(1.0)) * s;
+  if (any_of(slips)) s = select(slips, p.limit / sqrt(select(slips, stretch, Real(1.0))), Real(1.0)) * s;
   Vector<Real> f = -(p.stiffness * s) - p.dashpot * velocity;
   const Real size = dot(f, f);
   const auto exceeds = size > limit2;
-  if (any_of(exceeds))
-    f = select(exceeds, p.limit / sqrt(select(exceeds, size, Real(1.0))), Real(1.0)) * f;
+  if (any_of(exceeds)) f = select(exceeds, p.limit / sqrt(select(exceeds, size, Real(1.0))), Real(1.0)) * f;
   return {s, f};
 }
 
@@ -92,4 +88,4 @@ SpringSlider<Real, Real> spring_slider(Real spring, Real velocity, const SliderP
   return {s, f};
 }
 
-}  // namespace clog
+}  // namespace clogflow

@@ -7,7 +7,7 @@
 
 #include "dem/physics/friction.hpp"
 
-namespace clog {
+namespace clogflow {
 
 /// Largest stable step of one mode of the leapfrog scheme with forces at the velocity half a step back:
 ///   x_(n+1) - 2 x_n + x_(n-1) + (w dt)^2 x_n + g dt (x_n - x_(n-1)) = 0
@@ -22,10 +22,10 @@ inline double stable_step(double stiffness, double damping) {
 
 /// One elastic direction of a contact.
 struct ContactMode {
-  double stiffness;                              ///< [N/m]
-  double dashpot;                                ///< [N s/m]
-  Vector<double> shift;                          ///< velocity per velocity of i (of j: the opposite) [-]
-  Vector<double> turn_i, turn_j;                 ///< velocity per spin of i and of j [m]
+  double stiffness;               ///< [N/m]
+  double dashpot;                 ///< [N s/m]
+  Vector<double> shift;           ///< velocity per velocity of i (of j: the opposite) [-]
+  Vector<double> turn_i, turn_j;  ///< velocity per spin of i and of j [m]
 };
 
 /// Tangents of the six springs of a contact: normal, sliding x 2, rolling x 2, torsion. Stretch rates are
@@ -64,9 +64,8 @@ ContactModes contact_modes(const NormalLaw& law, const ContactTerms& terms, cons
     add({turning, tangential_dashpot, none, lever * s, -lever * s});
     add({turning, tangential_dashpot, none, lever * t, -lever * t});
   }
-  if (terms.torsion)
-    add({turning, tangential_dashpot, none, 2 * g.radius * n, -2 * g.radius * n});
+  if (terms.torsion) add({turning, tangential_dashpot, none, 2 * g.radius * n, -2 * g.radius * n});
   return modes;
 }
 
-}  // namespace clog
+}  // namespace clogflow

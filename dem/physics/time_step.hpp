@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace clog {
+namespace clogflow {
 
 /// A typical collision of two equal spheres, whatever their law.
 struct Impact {
@@ -29,8 +29,7 @@ inline constexpr double collision_speed_share = 0.1;
 /// \return [s]
 /// \source paper Eq. (2)
 inline double hertz_contact_time(const CollisionScales& c) {
-  return 2.214 * std::pow(c.density / c.effective_modulus, 0.4) * c.diameter /
-         std::pow(c.speed, 0.2);
+  return 2.214 * std::pow(c.density / c.effective_modulus, 0.4) * c.diameter / std::pow(c.speed, 0.2);
 }
 
 /// Time that a Rayleigh surface wave takes around a sphere: pi r sqrt(rho / G) / (0.1631 nu + 0.8766).
@@ -38,8 +37,7 @@ inline double hertz_contact_time(const CollisionScales& c) {
 /// \return [s]
 /// \source Li, Xu & Thornton, Powder Technol. 160 (2005) 219
 inline double rayleigh_time(double radius, double density, double shear_modulus, double poisson) {
-  return std::numbers::pi * radius * std::sqrt(density / shear_modulus) /
-         (0.1631 * poisson + 0.8766);
+  return std::numbers::pi * radius * std::sqrt(density / shear_modulus) / (0.1631 * poisson + 0.8766);
 }
 
-}  // namespace clog
+}  // namespace clogflow

@@ -5,10 +5,10 @@
 #include <map>
 #include <memory>
 
-#include "dem/neighbours.hpp"
+#include "dem/contact/neighbours.hpp"
 #include "tests/benchmarks/scenes.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 /// A settled pack of 1000 times `across` times `up` spheres, made once and kept for all benchmarks.
@@ -52,7 +52,7 @@ struct Lists {
   explicit Lists(double lubrication) {
     const Simulation& simulation = pack(1, 1);
     particles = simulation.particles();
-    law = simulation.model().pair_law;
+    law = simulation.model().laws.pair;
     if (lubrication > 0) film = {1.8e-3, 0.01 * crowd_diameter, lubrication, false};
     const double skin = 0.1 * crowd_diameter;
     neighbours.rebuild(particles, {}, {skin, lubrication});
@@ -60,8 +60,8 @@ struct Lists {
   }
 
   PairTask task() {
-    return {pointers(particles), neighbours.contacts.pointers(), law, film, 7e-8, neighbours.equal_radius,
-            neighbours.equal_mass};
+    return {pointers(particles),     neighbours.contacts.pointers(), law, film, 7e-8,
+            neighbours.equal_radius, neighbours.equal_mass};
   }
 };
 
@@ -103,7 +103,7 @@ void wall_contacts(benchmark::State& state) {
   std::vector<int> same(particles.size());
   for (std::size_t k = 0; k < same.size(); ++k) same[k] = static_cast<int>(k);
   walls.rebuild(particles, same);
-  WallLaws laws = simulation.model().wall_laws;
+  WallLaws laws = simulation.model().laws.wall;
   laws.dt = 7e-8;
   walls.sort(particles, 0.01 * reach.skin, laws.lubrication);
   const Kernels& kernels = select_kernels();
@@ -119,8 +119,8 @@ void drag_lookup(benchmark::State& state) {
   const std::vector<float> velocity(3 * 640 * 160 * 40, 1e-3f);
   const double one = 1;
   std::vector<double> ux(particles.size()), uy(ux), uz(ux), drag(ux);
-  FlowTask task{pointers(particles), velocity.data(), {0, 0, 0}, 1 / 2.5e-6, {640, 160, 40}, 0, 1, 0,
-                &one, &one, ux.data(), uy.data(), uz.data(), drag.data()};
+  FlowTask task{pointers(particles), velocity.data(), {0, 0, 0}, 1 / 2.5e-6, {640, 160, 40}, 0, 1, 0, &one, &one,
+                ux.data(),           uy.data(),       uz.data(), drag.data()};
   for (auto _ : state) select_kernels().sample_nearest(task);
   count(state, particles.size());
 }
@@ -141,6 +141,6 @@ void limit_exact(benchmark::State& state) {
 BENCHMARK(limit_exact)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test
 
 BENCHMARK_MAIN();

@@ -1,5 +1,5 @@
 find_package(benchmark REQUIRED)
 add_executable(bench_step benchmarks/bench_step.cpp)
-target_link_libraries(bench_step PRIVATE clog_dem benchmark::benchmark GTest::gtest)
+target_link_libraries(bench_step PRIVATE clog_dem benchmark::benchmark clog_test_support)
 add_executable(roofline benchmarks/roofline.cpp)
-target_link_libraries(roofline PRIVATE clog_dem GTest::gtest fmt::fmt)
+target_link_libraries(roofline PRIVATE clog_dem clog_test_support)

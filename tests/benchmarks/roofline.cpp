@@ -7,11 +7,11 @@
 
 #include <fmt/format.h>
 
-#include "dem/neighbours.hpp"
+#include "dem/contact/neighbours.hpp"
 #include "dem/physics/laws/hertz.hpp"
 #include "tests/benchmarks/scenes.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 
 /// A double that counts what is done with it; a root or a division counts as one.
 struct Counted {
@@ -46,7 +46,8 @@ int operations_of_a_contact(const ContactLaw& law) {
   contact.radius = Counted(0.25), contact.mass = Counted(1.0);
   contact.arm_i = contact.arm_j = Counted(0.5) - Counted(0.5) * contact.overlap;
   Springs<Counted> springs{};
-  contact_loads<LudingTurning, ContactTerms{true, true, true}>(hertz, law.friction, contact, {velocity, {}, {}}, 1e-12, springs);
+  contact_loads<LudingTurning, ContactTerms{true, true, true}>(hertz, law.friction, contact, {velocity, {}, {}}, 1e-12,
+                                                               springs);
   constexpr int differences = 6, sums = 12;
   return Counted::done + differences + sums;
 }
@@ -54,9 +55,7 @@ int operations_of_a_contact(const ContactLaw& law) {
 /// Bytes of one contact: two indices, springs in and out, two particles' states in, loads in and out.
 constexpr int bytes_of_a_contact = 2 * 4 + 2 * 7 * 8 + 2 * (96 + 2 * 64);
 
-double seconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 #if defined(__x86_64__)
 /// Multiplications and additions in a second, in vectors of four.
@@ -78,12 +77,12 @@ __attribute__((target("avx2,fma"))) double peak() {
 #endif
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test
 
 int main() {
 #if defined(__x86_64__)
-  using namespace clog;
-  using namespace clog::test;
+  using namespace clogflow;
+  using namespace clogflow::test;
   if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma")) {
     fmt::print("skipped: the peak is measured with AVX2\n");
     return 0;
@@ -101,18 +100,28 @@ int main() {
   while (seconds() < begun + 2)
     for (int k = 0; k < 100; ++k) {
       particles.clear_loads();
-      contacts += static_cast<double>(
-          kernels.collide_pairs({pointers(particles), lists.contacts.pointers(), simulation.model().pair_law, {}, 0,
-                                 lists.equal_radius, lists.equal_mass},
-                                {true, true, true}).contacts);
+      contacts += static_cast<double>(kernels
+                                          .collide_pairs({pointers(particles),
+                                                          lists.contacts.pointers(),
+                                                          simulation.model().laws.pair,
+                                                          {},
+                                                          0,
+                                                          lists.equal_radius,
+                                                          lists.equal_mass},
+                                                         {true, true, true})
+                                          .contacts);
     }
   const double rate = contacts / (seconds() - begun);
-  const int operations = operations_of_a_contact(simulation.model().pair_law);
+  const int operations = operations_of_a_contact(simulation.model().laws.pair);
   const double most = peak();
-  fmt::print("One contact with sliding, rolling and torsion: {} operations, {} bytes to and from the caches, {:.2f} "
-             "operations a byte.\n", operations, bytes_of_a_contact, operations / static_cast<double>(bytes_of_a_contact));
-  fmt::print("{:.3g} contacts/s (1000 spheres, {}) are {:.1f} Gflop/s, {:.0f} % of the {:.1f} Gflop/s that multiply-adds in "
-             "vectors of four reach on this core, and {:.0f} GB/s.\n", rate, kernels.name, 1e-9 * rate * operations,
-             100 * rate * operations / most, 1e-9 * most, 1e-9 * rate * bytes_of_a_contact);
+  fmt::print(
+      "One contact with sliding, rolling and torsion: {} operations, {} bytes to and from the caches, {:.2f} "
+      "operations a byte.\n",
+      operations, bytes_of_a_contact, operations / static_cast<double>(bytes_of_a_contact));
+  fmt::print(
+      "{:.3g} contacts/s (1000 spheres, {}) are {:.1f} Gflop/s, {:.0f} % of the {:.1f} Gflop/s that multiply-adds in "
+      "vectors of four reach on this core, and {:.0f} GB/s.\n",
+      rate, kernels.name, 1e-9 * rate * operations, 100 * rate * operations / most, 1e-9 * most,
+      1e-9 * rate * bytes_of_a_contact);
 #endif
 }

@@ -3,7 +3,7 @@
 
 #include "tests/dem/clouds.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 
 /// The packed box of tests/reference, pressed against x = 1.6 mm, tiled across the flow: the same pack
 /// at any size.
@@ -32,4 +32,4 @@ inline std::vector<Particle> tiled_particles(int across, int up) {
   return all;
 }
 
-}  // namespace clog::test
+}  // namespace clogflow::test

@@ -7,11 +7,11 @@
 
 #include <gtest/gtest.h>
 
-#include "coupling/scene.hpp"
-#include "coupling/source_folder.hpp"
+#include "coupling/base/source_folder.hpp"
+#include "coupling/scene/scene.hpp"
 #include "tests/scratch.hpp"
 
-namespace clog {
+namespace clogflow {
 
 inline Scene flow_scene(const Overrides& overrides = {}) {
   return parse_scene(R"(
@@ -44,8 +44,6 @@ inline void write_file(const std::filesystem::path& file, const std::string& tex
   std::ofstream(file) << text;
 }
 
-inline std::filesystem::path foam_template() {
-  return source_folder() / "foam_case";
-}
+inline std::filesystem::path foam_template() { return source_folder() / "foam_case"; }
 
-}  // namespace clog
+}  // namespace clogflow

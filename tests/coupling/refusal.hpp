@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "coupling/require.hpp"
+#include "coupling/base/require.hpp"
 
-namespace clog {
+namespace clogflow {
 
 /// Message of the Error that `action` throws; a failed test if it throws none.
 template <class Action>
@@ -21,4 +21,4 @@ std::string refusal(const Action& action) {
   return {};
 }
 
-}  // namespace clog
+}  // namespace clogflow

@@ -8,11 +8,11 @@
 
 #include <gtest/gtest.h>
 
-#include "coupling/flow_grid.hpp"
-#include "coupling/run_file.hpp"
+#include "coupling/files/flow_grid.hpp"
+#include "coupling/files/run_file.hpp"
 #include "tests/scratch.hpp"
 
-namespace clog {
+namespace clogflow {
 
 inline std::filesystem::path temporary(const std::string& name) { return scratch_folder() / name; }
 
@@ -43,19 +43,15 @@ inline RunData sample_run() {
   run.scene_text = "a = 1\n";
   run.provenance = {{"host", "somewhere"}, {"flow_hash", "0123"}};
   run.end_time = 1.5;
-  run.passages = {.time = {0.25, 0.5},
-                  .id = {3, 1},
-                  .y = {1e-6, -1e-6},
-                  .z = {5e-5, 6e-5},
-                  .friction_off = {0, 1}};
+  run.passages = {.time = {0.25, 0.5}, .id = {3, 1}, .y = {1e-6, -1e-6}, .z = {5e-5, 6e-5}, .friction_off = {0, 1}};
   run.releases = {.off = {0.4}, .on = {0.4015}, .largest_speed = {1e-7}, .position = {-1e-5}};
   auto& series = run.series;
   series.time = {0, 1, 1.5};
   series.count = series.contacts = series.wall_contacts = {10, 11, 12};
   series.porosity = {{0.5, 0.6}, {0.4, 0.5}, {0.5, 0.5}};
-  for (auto* column : {&series.packing_fraction, &series.kinetic_energy, &series.elastic_energy,
-                       &series.largest_overlap, &series.drag_work, &series.dissipated,
-                       &series.median_speed, &series.speed_q99})
+  for (auto* column :
+       {&series.packing_fraction, &series.kinetic_energy, &series.elastic_energy, &series.largest_overlap,
+        &series.drag_work, &series.dissipated, &series.median_speed, &series.speed_q99})
     *column = {0.1, 0.2, 1.0 / 3};
   for (const std::size_t particles : {2u, 0u, 3u}) {
     RunData::Snapshot snapshot;
@@ -63,14 +59,12 @@ inline RunData sample_run() {
     for (std::size_t i = 0; i < particles; ++i) {
       snapshot.id.push_back(static_cast<std::int64_t>(10 * particles + i));
       snapshot.radius.push_back(16.5e-6);
-      for (auto* vector : {&snapshot.position, &snapshot.velocity, &snapshot.spin, &snapshot.force,
-                           &snapshot.torque})
-        for (int axis = 0; axis < 3; ++axis)
-          vector->push_back(static_cast<double>(100 * particles + 10 * i) + axis);
+      for (auto* vector : {&snapshot.position, &snapshot.velocity, &snapshot.spin, &snapshot.force, &snapshot.torque})
+        for (int axis = 0; axis < 3; ++axis) vector->push_back(static_cast<double>(100 * particles + 10 * i) + axis);
     }
     run.snapshots.push_back(snapshot);
   }
   return run;
 }
 
-}  // namespace clog
+}  // namespace clogflow

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace clog {
+namespace clogflow {
 
 /// The shortest scene there is.
 inline const std::string laboratory = R"(
@@ -43,4 +43,4 @@ sliding = 0.6
 end = "1 s"
 )";
 
-}  // namespace clog
+}  // namespace clogflow

@@ -1,11 +1,11 @@
-#include "coupling/duct_flow.hpp"
+#include "coupling/geometry/duct_flow.hpp"
 
 #include <gmock/gmock.h>
 
-#include "coupling/require.hpp"
+#include "coupling/base/require.hpp"
 #include "tests/coupling/refusal.hpp"
 
-namespace clog {
+namespace clogflow {
 namespace {
 
 // Shah & London, Laminar Flow Forced Convection in Ducts, table 42: largest over mean velocity.
@@ -42,9 +42,7 @@ TEST(DuctFlow, MeansOverTilesAddUpToTheMean) {
   EXPECT_NEAR(duct.mean_over({.y_min = -2, .y_max = 2, .z_min = 0, .z_max = 1}), 1, 1e-7);
   double sum = 0;
   for (int i = 0; i < 8; ++i) {
-    sum +=
-        duct.mean_over({.y_min = -2 + 0.5 * i, .y_max = -1.5 + 0.5 * i, .z_min = 0, .z_max = 1}) /
-        8;
+    sum += duct.mean_over({.y_min = -2 + 0.5 * i, .y_max = -1.5 + 0.5 * i, .z_min = 0, .z_max = 1}) / 8;
   }
   EXPECT_NEAR(sum, 1, 1e-7);
 }
@@ -68,4 +66,4 @@ TEST(DuctFlow, ResistanceOfASquareAndOfTwoPlates) {
 }
 
 }  // namespace
-}  // namespace clog
+}  // namespace clogflow

@@ -1,4 +1,4 @@
-#include "coupling/flow_error.hpp"
+#include "coupling/flow/flow_error.hpp"
 
 #include <cmath>
 
@@ -6,7 +6,7 @@
 
 #include "tests/coupling/refusal.hpp"
 
-namespace clog {
+namespace clogflow {
 namespace {
 
 FoamSamples samples(float error) {
@@ -24,8 +24,7 @@ TEST(RichardsonError, IsExactForItsOrder) {
   const double growth = std::pow(2, 1.5);
   EXPECT_NEAR(richardson_error(1 + 1e-3, 1 + growth * 1e-3), 1e-3, 1e-5);
   const float e = 1e-3f;
-  const VelocityError found =
-      richardson_error(samples(e), samples(static_cast<float>(growth) * e), 2);
+  const VelocityError found = richardson_error(samples(e), samples(static_cast<float>(growth) * e), 2);
   EXPECT_NEAR(found.most, 0.5e-3, 1e-6);
   // One of 199 points is off ten times as much.
   EXPECT_NEAR(found.rms, 0.5e-3 * std::sqrt((198 + 100) / 199.0), 1e-6);
@@ -61,13 +60,11 @@ TEST(Extrapolation, LeavesWhatTheCoarserMeshDoesNotResolve) {
 TEST(RichardsonError, RefusesSamplesThatDoNotFit) {
   FoamSamples other = samples(0);
   other.points = {100, 2, 1};
-  EXPECT_THAT(refusal([&] { richardson_error(samples(0), other, 1); }),
-              testing::HasSubstr("at other points"));
+  EXPECT_THAT(refusal([&] { richardson_error(samples(0), other, 1); }), testing::HasSubstr("at other points"));
   other = samples(0);
   other.found.assign(200, 0);
-  EXPECT_THAT(refusal([&] { richardson_error(samples(0), other, 1); }),
-              testing::HasSubstr("no point in common"));
+  EXPECT_THAT(refusal([&] { richardson_error(samples(0), other, 1); }), testing::HasSubstr("no point in common"));
 }
 
 }  // namespace
-}  // namespace clog
+}  // namespace clogflow

@@ -5,11 +5,11 @@
 
 #include <gmock/gmock.h>
 
-#include "coupling/hdf5_file.hpp"
+#include "coupling/files/hdf5_file.hpp"
 #include "tests/coupling/refusal.hpp"
 #include "tests/coupling/sample_files.hpp"
 
-namespace clog {
+namespace clogflow {
 namespace {
 
 using testing::HasSubstr;
@@ -25,13 +25,11 @@ TEST(FlowGrid, ThereAndBack) {
   EXPECT_EQ(read.velocity, grid.velocity);
   EXPECT_EQ(read.solid, grid.solid);
   ASSERT_EQ(read.walls.size(), grid.walls.size());
-  for (std::size_t i = 0; i < grid.walls.size(); ++i)
-    EXPECT_EQ(read.walls[i].corner, grid.walls[i].corner);
+  for (std::size_t i = 0; i < grid.walls.size(); ++i) EXPECT_EQ(read.walls[i].corner, grid.walls[i].corner);
   EXPECT_EQ(read.scene_text, grid.scene_text);
   EXPECT_EQ(read.hash, grid.hash);
   EXPECT_EQ(read.provenance, grid.provenance);
-  EXPECT_THAT(files_in(file.parent_path()),
-              testing::Each(testing::Not(testing::HasSubstr(".part"))));
+  EXPECT_THAT(files_in(file.parent_path()), testing::Each(testing::Not(testing::HasSubstr(".part"))));
 }
 
 TEST(FlowGrid, SameGridSameBytes) {
@@ -52,8 +50,7 @@ TEST(FlowGrid, WithoutWallsAndTexts) {
 
 // What ParaView does. The points come out at the places and with the values that went in.
 TEST(FlowGrid, OpensInVtk) {
-  if (std::system(
-          "/usr/bin/python3 -c 'from vtkmodules.vtkIOHDF import vtkHDFReader' 2> /dev/null") != 0)
+  if (std::system("/usr/bin/python3 -c 'from vtkmodules.vtkIOHDF import vtkHDFReader' 2> /dev/null") != 0)
     GTEST_SKIP() << "python3-vtk9 is not installed";
   write_flow_grid(sample_grid(), temporary("vtk.h5"));
   const std::string script =
@@ -87,16 +84,12 @@ TEST(FlowGrid, WriterRefusesWhatReaderWould) {
     return refusal([&] { write_flow_grid(grid, temporary("refused.h5")); });
   };
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_THAT(refused([&](FlowGrid& g) { g.velocity[301] = nan; }),
-              HasSubstr("holds NaN or infinity at point 100"));
-  EXPECT_THAT(refused([&](FlowGrid& g) { g.walls[0].corner[1].x() = nan; }),
-              HasSubstr("/walls/triangles holds NaN"));
-  EXPECT_THAT(refused([](FlowGrid& g) { g.velocity.pop_back(); }),
-              HasSubstr("velocity components for 24000 points"));
+  EXPECT_THAT(refused([&](FlowGrid& g) { g.velocity[301] = nan; }), HasSubstr("holds NaN or infinity at point 100"));
+  EXPECT_THAT(refused([&](FlowGrid& g) { g.walls[0].corner[1].x() = nan; }), HasSubstr("/walls/triangles holds NaN"));
+  EXPECT_THAT(refused([](FlowGrid& g) { g.velocity.pop_back(); }), HasSubstr("velocity components for 24000 points"));
   EXPECT_THAT(refused([](FlowGrid& g) { g.solid.pop_back(); }), HasSubstr("23999 solid flags"));
   EXPECT_THAT(refused([](FlowGrid& g) { g.solid[3] = 2; }), HasSubstr("values other than 0 and 1"));
-  EXPECT_THAT(refused([](FlowGrid& g) { g.spacing = 0; }),
-              HasSubstr("spacing = 0 m (must be > 0)"));
+  EXPECT_THAT(refused([](FlowGrid& g) { g.spacing = 0; }), HasSubstr("spacing = 0 m (must be > 0)"));
   EXPECT_THAT(refused([](FlowGrid& g) { g.points[2] = 1; }), HasSubstr("at least 2 points"));
   EXPECT_THAT(refused([&](FlowGrid& g) { g.origin.x() = nan; }), HasSubstr("origin is not finite"));
   EXPECT_FALSE(std::filesystem::exists(temporary("refused.h5")));
@@ -123,12 +116,9 @@ struct Forgery {
     out.attribute("/VTKHDF", "Origin", std::vector<double>(3, 0.0));
     out.attribute("/VTKHDF", "Spacing", spacing);
     out.write("/VTKHDF/PointData/U", velocity, {.unit = velocity_unit, .shape = velocity_shape});
-    out.write("/VTKHDF/PointData/solid", std::vector<std::uint8_t>(8),
-              {.unit = "1", .shape = {2, 2, 2}});
-    if (with_walls)
-      out.write("/walls/triangles", std::vector<double>(9), {.unit = "m", .shape = walls_shape});
-    for (const char* name : {"scene", "hash"})
-      out.write_text(std::string("/provenance/") + name, "");
+    out.write("/VTKHDF/PointData/solid", std::vector<std::uint8_t>(8), {.unit = "1", .shape = {2, 2, 2}});
+    if (with_walls) out.write("/walls/triangles", std::vector<double>(9), {.unit = "m", .shape = walls_shape});
+    for (const char* name : {"scene", "hash"}) out.write_text(std::string("/provenance/") + name, "");
     out.write_text("/provenance/record", record);
     out.finish();
     return refusal([&] { read_flow_grid(file); });
@@ -151,47 +141,27 @@ TEST(FlowGrid, ReaderRefuses) {
                 f.format = {"clogflow run", 1};
               }),
               HasSubstr("is a \"clogflow run\" file, a \"clogflow flow\" file is needed"));
-  EXPECT_THAT(forged([](Forgery& f) { f.type = "UnstructuredGrid"; }),
-              HasSubstr("/VTKHDF is no ImageData"));
-  EXPECT_THAT(forged([](Forgery& f) { f.length_unit = "mm"; }),
-              HasSubstr("/VTKHDF has a unit other than \"m\""));
+  EXPECT_THAT(forged([](Forgery& f) { f.type = "UnstructuredGrid"; }), HasSubstr("/VTKHDF is no ImageData"));
+  EXPECT_THAT(forged([](Forgery& f) { f.length_unit = "mm"; }), HasSubstr("/VTKHDF has a unit other than \"m\""));
   EXPECT_THAT(forged([](Forgery& f) { f.velocity_unit = "cm/s"; }),
               HasSubstr("/VTKHDF/PointData/U has the unit \"cm/s\" (must be \"m/s\")"));
-  EXPECT_THAT(forged([](Forgery& f) { f.record = "{"; }),
-              HasSubstr("/provenance/record is no JSON"));
-  EXPECT_THAT(forged([](Forgery& f) {
-                f.spacing = {1, 1, 2};
-              }),
-              HasSubstr("Spacing differs between axes"));
-  EXPECT_THAT(forged([](Forgery& f) {
-                f.spacing = {1, 1};
-              }),
-              HasSubstr("extents of a wrong length"));
-  EXPECT_THAT(forged([](Forgery& f) {
-                f.spacing = {-1, -1, -1};
-              }),
-              HasSubstr("spacing = -1 m (must be > 0)"));
+  EXPECT_THAT(forged([](Forgery& f) { f.record = "{"; }), HasSubstr("/provenance/record is no JSON"));
+  EXPECT_THAT(forged([](Forgery& f) { f.spacing = {1, 1, 2}; }), HasSubstr("Spacing differs between axes"));
+  EXPECT_THAT(forged([](Forgery& f) { f.spacing = {1, 1}; }), HasSubstr("extents of a wrong length"));
+  EXPECT_THAT(forged([](Forgery& f) { f.spacing = {-1, -1, -1}; }), HasSubstr("spacing = -1 m (must be > 0)"));
   EXPECT_THAT(forged([](Forgery& f) { f.extent = {0, 1, 0, 1, 0, 2}; }),
               HasSubstr("does not have the shape of the grid"));
-  EXPECT_THAT(forged([](Forgery& f) { f.extent = {0, 1, 0, 1, 0, 1 << 30}; }),
-              HasSubstr("WholeExtent is impossible"));
-  EXPECT_THAT(forged([](Forgery& f) { f.extent = {1, 1, 0, 1, 0, 1}; }),
-              HasSubstr("WholeExtent is impossible"));
-  EXPECT_THAT(forged([](Forgery& f) {
-                f.velocity = std::vector<float>(24, std::numeric_limits<float>::infinity());
-              }),
+  EXPECT_THAT(forged([](Forgery& f) { f.extent = {0, 1, 0, 1, 0, 1 << 30}; }), HasSubstr("WholeExtent is impossible"));
+  EXPECT_THAT(forged([](Forgery& f) { f.extent = {1, 1, 0, 1, 0, 1}; }), HasSubstr("WholeExtent is impossible"));
+  EXPECT_THAT(forged([](Forgery& f) { f.velocity = std::vector<float>(24, std::numeric_limits<float>::infinity()); }),
               HasSubstr("/VTKHDF/PointData/U holds NaN or infinity at point 0"));
   EXPECT_THAT(forged([](Forgery& f) {
                 f.velocity_shape = {2, 2, 6};
               }),
               HasSubstr("/VTKHDF/PointData/U does not have the shape"));
-  EXPECT_THAT(forged([](Forgery& f) {
-                f.walls_shape = {9, 1, 1};
-              }),
-              HasSubstr("/walls/triangles is not [n][3][3]"));
-  EXPECT_THAT(forged([](Forgery& f) { f.with_walls = false; }),
-              HasSubstr("/walls/triangles is missing"));
+  EXPECT_THAT(forged([](Forgery& f) { f.walls_shape = {9, 1, 1}; }), HasSubstr("/walls/triangles is not [n][3][3]"));
+  EXPECT_THAT(forged([](Forgery& f) { f.with_walls = false; }), HasSubstr("/walls/triangles is missing"));
 }
 
 }  // namespace
-}  // namespace clog
+}  // namespace clogflow

@@ -4,25 +4,25 @@
 
 #include <gmock/gmock.h>
 
-#include "coupling/channel_shape.hpp"
-#include "coupling/duct_flow.hpp"
-#include "coupling/flow_reach.hpp"
-#include "coupling/straight_flux.hpp"
+#include "coupling/flow/flow_reach.hpp"
+#include "coupling/flow/straight_flux.hpp"
+#include "coupling/geometry/channel_shape.hpp"
+#include "coupling/geometry/duct_flow.hpp"
 #include "tests/coupling/flow_scene.hpp"
 #include "tests/coupling/refusal.hpp"
 
-namespace clog {
+namespace clogflow {
 namespace {
 
 /// Developed duct flow and a disturbance along y that halves over `half` upstream of the narrowing, where it is the
 /// mean velocity.
 FlowGrid disturbed_flow(const Scene& scene, double half) {
   const DuctFlow duct(scene.geometry.channel_width, scene.geometry.neck_height);
-  const double v = scene.flow.mean_velocity, narrowing = -narrowing_length(scene);
+  const double v = scene.flow.mean_velocity, narrowing = -narrowing_length(scene.geometry);
   FlowGrid grid;
   grid.spacing = 10e-6;
-  grid.origin = Vec3(channel_start(scene) + 5e-6, -scene.geometry.channel_width / 2 + 5e-6, 5e-6);
-  grid.points = {static_cast<int>((narrowing - channel_start(scene)) / grid.spacing), 40, 10};
+  grid.origin = Vec3(channel_start(scene.geometry) + 5e-6, -scene.geometry.channel_width / 2 + 5e-6, 5e-6);
+  grid.points = {static_cast<int>((narrowing - channel_start(scene.geometry)) / grid.spacing), 40, 10};
   const std::size_t count = static_cast<std::size_t>(grid.points[0]) * 400;
   grid.velocity.assign(3 * count, 0.0f);
   grid.solid.assign(count, 0);
@@ -73,7 +73,7 @@ FlowGrid wavering_flow(const Scene& scene, double amplitude) {
   FlowGrid grid;
   grid.points = {40, 80, 20};
   grid.spacing = 5e-6;
-  grid.origin = Vec3(-narrowing_length(scene) - 150e-6, -197.5e-6, 2.5e-6);
+  grid.origin = Vec3(-narrowing_length(scene.geometry) - 150e-6, -197.5e-6, 2.5e-6);
   const DuctFlow duct(scene.geometry.channel_width, scene.geometry.neck_height);
   for (int k = 0; k < grid.points[2]; ++k)
     for (int j = 0; j < grid.points[1]; ++j)
@@ -93,7 +93,7 @@ TEST(StraightFlux, TakesTheWaverOutBeforeTheNarrowingAndNothingBehind) {
   FlowGrid grid = wavering_flow(scene, 0.02);
   const FlowGrid before = grid;
   EXPECT_NEAR(restore_flow_rate(grid, scene), 0.02, 5e-4);
-  const double bend = -narrowing_length(scene);
+  const double bend = -narrowing_length(scene.geometry);
   for (std::size_t at = 0; at < grid.solid.size(); ++at) {
     const std::size_t i = at % 40;
     const bool straight = i > 0 && grid.origin.x() + static_cast<double>(i) * grid.spacing <= bend;
@@ -104,8 +104,7 @@ TEST(StraightFlux, TakesTheWaverOutBeforeTheNarrowingAndNothingBehind) {
     }
   }
   FlowGrid wrong = wavering_flow(scene, 0.2);
-  EXPECT_THAT(refusal([&] { restore_flow_rate(wrong, scene); }),
-              testing::HasSubstr("the flux through x = "));
+  EXPECT_THAT(refusal([&] { restore_flow_rate(wrong, scene); }), testing::HasSubstr("the flux through x = "));
 }
 
 // A channel ten times as long as it is wide adds what a duct adds.
@@ -117,9 +116,8 @@ TEST(FlowReach, ALongerChannelAddsItsDevelopedPressureDrop) {
   flow.provenance["pressure_drop"] = 20.0;
   EXPECT_DOUBLE_EQ(*channel_pressure_drop(flow, solved), 20);
   // 400 x 100 um: f Re = 72.93, D = 160 um; 1.8 mPa s, 5 mm/s, 2 mm.
-  EXPECT_NEAR(*channel_pressure_drop(flow, longer) - 20,
-              72.93 / 2 / (160e-6 * 160e-6) * 1.8e-3 * 5e-3 * 2e-3, 0.01);
+  EXPECT_NEAR(*channel_pressure_drop(flow, longer) - 20, 72.93 / 2 / (160e-6 * 160e-6) * 1.8e-3 * 5e-3 * 2e-3, 0.01);
 }
 
 }  // namespace
-}  // namespace clog
+}  // namespace clogflow

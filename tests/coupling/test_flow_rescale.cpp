@@ -1,11 +1,11 @@
-#include "coupling/flow_rescale.hpp"
+#include "coupling/flow/flow_rescale.hpp"
 
 #include <gmock/gmock.h>
 
 #include "tests/coupling/flow_scene.hpp"
 #include "tests/coupling/refusal.hpp"
 
-namespace clog {
+namespace clogflow {
 namespace {
 
 using testing::HasSubstr;
@@ -20,9 +20,7 @@ FlowGrid solved(const Overrides& overrides) {
 }
 
 // 1062 kg/m3 * 20 mm/s * 100 um / 1.8 mPa s = 1.18
-TEST(FlowRescale, ReynoldsNumberOfTheNeck) {
-  EXPECT_NEAR(neck_reynolds_number(flow_scene()), 1.18, 1e-6);
-}
+TEST(FlowRescale, ReynoldsNumberOfTheNeck) { EXPECT_NEAR(neck_reynolds_number(flow_scene()), 1.18, 1e-6); }
 
 TEST(FlowRescale, ScalesAndTellsTheError) {
   const Scene scene = flow_scene({"flow.rescale=true"});
@@ -42,8 +40,7 @@ TEST(FlowRescale, NeedsTheSameChannelAndSlowFlow) {
   const auto refused = [](const Overrides& file, const Overrides& scene) {
     return refusal([&] { rescaled_flow(solved(file), flow_scene(scene)); });
   };
-  EXPECT_THAT(refused({"geometry.half_angle=45 deg"}, {}),
-              AllOf(HasSubstr("another scene"), HasSubstr("half_angle")));
+  EXPECT_THAT(refused({"geometry.half_angle=45 deg"}, {}), AllOf(HasSubstr("another scene"), HasSubstr("half_angle")));
   EXPECT_THAT(refused({"geometry.neck_rounding=10 um"}, {}), HasSubstr("neck_rounding"));
   EXPECT_THAT(refused({}, {"flow.mean_velocity=10 mm/s"}),
               HasSubstr("Reynolds number is 2.36, and the error of scaling is known up to 1.2"));
@@ -69,10 +66,9 @@ TEST(FlowBelongs, WhateverItsNameIfItsInputsAgree) {
 }
 
 TEST(FlowRescale, OtherwiseAllMustAgree) {
-  EXPECT_THAT(
-      refusal([] { check_flow_belongs(flow_scene({"flow.mean_velocity=1 mm/s"}), solved({})); }),
-      AllOf(HasSubstr("mean_velocity = \"0.005 m/s\""), HasSubstr("\"0.001 m/s\"")));
+  EXPECT_THAT(refusal([] { check_flow_belongs(flow_scene({"flow.mean_velocity=1 mm/s"}), solved({})); }),
+              AllOf(HasSubstr("mean_velocity = \"0.005 m/s\""), HasSubstr("\"0.001 m/s\"")));
 }
 
 }  // namespace
-}  // namespace clog
+}  // namespace clogflow

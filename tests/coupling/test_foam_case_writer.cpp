@@ -1,4 +1,4 @@
-#include "coupling/foam_case_writer.hpp"
+#include "coupling/openfoam/foam_case_writer.hpp"
 
 #include <signal.h>
 #include <sys/resource.h>
@@ -10,34 +10,31 @@
 
 #include <gmock/gmock.h>
 
-#include "coupling/case_lock.hpp"
-#include "coupling/content_hash.hpp"
-#include "coupling/flow_lattice.hpp"
-#include "coupling/flow_mesh.hpp"
-#include "coupling/foam_dictionaries.hpp"
-#include "coupling/text_file.hpp"
+#include "coupling/base/case_lock.hpp"
+#include "coupling/base/content_hash.hpp"
+#include "coupling/base/text_file.hpp"
+#include "coupling/openfoam/flow_lattice.hpp"
+#include "coupling/openfoam/flow_mesh.hpp"
+#include "coupling/openfoam/foam_dictionaries.hpp"
 #include "tests/coupling/flow_scene.hpp"
 #include "tests/coupling/refusal.hpp"
 
-namespace clog {
+namespace clogflow {
 namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-std::string hash_of(const Overrides& overrides) {
-  return content_hash(flow_inputs(flow_scene(overrides)));
-}
+std::string hash_of(const Overrides& overrides) { return content_hash(flow_inputs(flow_scene(overrides))); }
 
 TEST(FoamCaseWriter, WritesAWholeCase) {
   const ScratchFolder scratch;
   const fs::path folder = scratch.path() / "case";
   EXPECT_EQ(write_foam_case(flow_scene(), folder, foam_template()), FoamCaseState::written);
-  for (const char* name :
-       {"Allrun", "Allclean", "hash", "scene.toml", "0.orig/U", "0.orig/p", "constant/inletProfile",
-        "constant/transportProperties", "constant/turbulenceProperties", "system/sceneDict",
-        "system/blockMeshDict", "system/controlDict", "system/fvSchemes", "system/fvSolution",
-        "system/topoSetDict", "system/fluxDict", "surfaces", "system/postProcessDict"}) {
+  for (const char* name : {"Allrun", "Allclean", "hash", "scene.toml", "0.orig/U", "0.orig/p", "constant/inletProfile",
+                           "constant/transportProperties", "constant/turbulenceProperties", "system/sceneDict",
+                           "system/blockMeshDict", "system/controlDict", "system/fvSchemes", "system/fvSolution",
+                           "system/topoSetDict", "system/fluxDict", "surfaces", "system/postProcessDict"}) {
     EXPECT_TRUE(fs::is_regular_file(folder / name)) << name;
   }
   EXPECT_TRUE(read_text_file(folder / "hash").starts_with(hash_of({}) + "\n"));
@@ -54,8 +51,7 @@ TEST(FoamCaseWriter, KeepsASolvedFlowAndReplacesAnotherOne) {
   write_file(folder / "solved", read_text_file(folder / "hash"));
   write_file(folder / "164" / "U", "result");
   write_file(folder / "log.simpleFoam", "log");
-  EXPECT_EQ(write_foam_case(flow_scene({"particles.diameter=50 um"}), folder, foam_template()),
-            FoamCaseState::solved);
+  EXPECT_EQ(write_foam_case(flow_scene({"particles.diameter=50 um"}), folder, foam_template()), FoamCaseState::solved);
   EXPECT_TRUE(fs::exists(folder / "164" / "U"));
   EXPECT_EQ(write_foam_case(flow_scene({"flow.mean_velocity=1 mm/s"}), folder, foam_template()),
             FoamCaseState::written);
@@ -81,16 +77,13 @@ TEST(FoamCaseWriter, WhatAFailedCallLeftNeitherPassesForSolvedNorBlocksTheNext) 
   const ScratchFolder scratch;
   const fs::path folder = scratch.path() / "case";
   const auto write = [&](const char* speed) {
-    return write_foam_case(flow_scene({std::string("flow.mean_velocity=") + speed}), folder,
-                           foam_template());
+    return write_foam_case(flow_scene({std::string("flow.mean_velocity=") + speed}), folder, foam_template());
   };
-  EXPECT_THAT(refusal_without_room([&] { write("5 mm/s"); }),
-              HasSubstr("cannot be written: File too large"));
+  EXPECT_THAT(refusal_without_room([&] { write("5 mm/s"); }), HasSubstr("cannot be written: File too large"));
   EXPECT_EQ(read_text_file(folder / "hash"), "unfinished\n");
   EXPECT_EQ(write("5 mm/s"), FoamCaseState::written);
   write_file(folder / "solved", read_text_file(folder / "hash"));
-  EXPECT_THAT(refusal_without_room([&] { write("1 mm/s"); }),
-              HasSubstr("cannot be written: File too large"));
+  EXPECT_THAT(refusal_without_room([&] { write("1 mm/s"); }), HasSubstr("cannot be written: File too large"));
   EXPECT_FALSE(fs::exists(folder / "solved"));
   EXPECT_EQ(read_text_file(folder / "hash"), "unfinished\n");
   EXPECT_EQ(write("5 mm/s"), FoamCaseState::written);
@@ -111,8 +104,7 @@ TEST(FoamCaseWriter, AReadOnlyInstallationMakesAWritableCase) {
     fs::permissions(entry.path(), writable, fs::perm_options::remove);
   write_foam_case(flow_scene(), folder, own);
   for (const auto& entry : fs::recursive_directory_iterator(folder))
-    EXPECT_NE(fs::status(entry.path()).permissions() & fs::perms::owner_write, fs::perms::none)
-        << entry.path();
+    EXPECT_NE(fs::status(entry.path()).permissions() & fs::perms::owner_write, fs::perms::none) << entry.path();
 }
 
 TEST(FoamCaseWriter, LeavesACaseAloneThatIsBeingSolved) {
@@ -124,9 +116,7 @@ TEST(FoamCaseWriter, LeavesACaseAloneThatIsBeingSolved) {
   ASSERT_TRUE(solver.take());
   write_file(folder / "lock", "process 17 on node\n");
   EXPECT_EQ(write_foam_case(flow_scene(), folder, foam_template()), FoamCaseState::unsolved);
-  EXPECT_THAT(refusal([&] {
-                write_foam_case(flow_scene({"flow.mean_velocity=1 mm/s"}), folder, foam_template());
-              }),
+  EXPECT_THAT(refusal([&] { write_foam_case(flow_scene({"flow.mean_velocity=1 mm/s"}), folder, foam_template()); }),
               HasSubstr("is being solved for another flow, by process 17 on node; wait for it"));
   EXPECT_EQ(read_text_file(folder / "log.simpleFoam"), "half");
 }
@@ -138,8 +128,7 @@ TEST(FoamCaseWriter, AChangedTemplateIsAnotherCase) {
   write_foam_case(flow_scene(), folder, own);
   write_file(folder / "solved", read_text_file(folder / "hash"));
   EXPECT_EQ(write_foam_case(flow_scene(), folder, own), FoamCaseState::solved);
-  write_file(own / "system" / "fvSchemes",
-             read_text_file(own / "system" / "fvSchemes") + "// other\n");
+  write_file(own / "system" / "fvSchemes", read_text_file(own / "system" / "fvSchemes") + "// other\n");
   EXPECT_EQ(write_foam_case(flow_scene(), folder, own), FoamCaseState::written);
   EXPECT_FALSE(fs::exists(folder / "solved"));
 }
@@ -147,9 +136,7 @@ TEST(FoamCaseWriter, AChangedTemplateIsAnotherCase) {
 TEST(FoamCaseWriter, ACheckAddsACoarserCase) {
   const ScratchFolder scratch;
   const fs::path folder = scratch.path() / "case";
-  const auto write = [&](FoamCaseCheck check) {
-    return write_foam_case(flow_scene(), folder, foam_template(), check);
-  };
+  const auto write = [&](FoamCaseCheck check) { return write_foam_case(flow_scene(), folder, foam_template(), check); };
   EXPECT_EQ(write(FoamCaseCheck::with_coarser_mesh), FoamCaseState::written);
   const fs::path coarse = folder / "coarse";
   EXPECT_EQ(parse_scene(read_text_file(coarse / "scene.toml"), "").flow.mesh_cells_per_neck, 6);
@@ -174,15 +161,14 @@ TEST(FoamCaseWriter, AnExtrapolatedFlowHasACoarserCase) {
 
 TEST(FoamCaseWriter, OnlyKeysOfTheFlowChangeTheHash) {
   const std::string hash = hash_of({});
-  for (const char* key :
-       {"particles.diameter=50 um", "contact.youngs_modulus=1 GPa", "ensemble.seeds=1-9", "geometry.channel_length=2 mm"}) {
+  for (const char* key : {"particles.diameter=50 um", "contact.youngs_modulus=1 GPa", "ensemble.seeds=1-9",
+                          "geometry.channel_length=2 mm"}) {
     EXPECT_EQ(hash_of({key}), hash) << key;
   }
-  for (const char* key :
-       {"geometry.neck_width=90 um", "geometry.neck_height=110 um", "geometry.channel_width=500 um",
-        "geometry.channel_length=300 um", "geometry.neck_length=150 um", "geometry.half_angle=45 deg",
-        "flow.mean_velocity=4 mm/s", "fluid.viscosity=1e-3 Pa s", "fluid.density=1000 kg/m3",
-        "flow.mesh_cells_per_neck=20", "flow.extrapolate=true"}) {
+  for (const char* key : {"geometry.neck_width=90 um", "geometry.neck_height=110 um", "geometry.channel_width=500 um",
+                          "geometry.channel_length=300 um", "geometry.neck_length=150 um", "geometry.half_angle=45 deg",
+                          "flow.mean_velocity=4 mm/s", "fluid.viscosity=1e-3 Pa s", "fluid.density=1000 kg/m3",
+                          "flow.mesh_cells_per_neck=20", "flow.extrapolate=true"}) {
     EXPECT_NE(hash_of({key}), hash) << key;
   }
 }
@@ -192,17 +178,14 @@ TEST(FoamCaseWriter, RefusesAFolderWithOtherThings) {
   write_file(scratch.path() / "thesis.tex", "precious");
   EXPECT_THAT(refusal([&] { write_foam_case(flow_scene(), scratch.path(), foam_template()); }),
               HasSubstr("is not empty and not a flow case"));
-  EXPECT_THAT(refusal([&] {
-                write_foam_case(flow_scene(), scratch.path() / "thesis.tex", foam_template());
-              }),
+  EXPECT_THAT(refusal([&] { write_foam_case(flow_scene(), scratch.path() / "thesis.tex", foam_template()); }),
               HasSubstr("is a file (a case needs a folder)"));
 }
 
 TEST(FoamCaseWriter, RefusesScenesWithoutSuchAFlow) {
   const ScratchFolder scratch;
   const auto write = [&](const Overrides& overrides) {
-    return refusal(
-        [&] { write_foam_case(flow_scene(overrides), scratch.path() / "case", foam_template()); });
+    return refusal([&] { write_foam_case(flow_scene(overrides), scratch.path() / "case", foam_template()); });
   };
   EXPECT_THAT(write({"flow.source=none"}), HasSubstr("flow.source is not \"openfoam\""));
   EXPECT_THAT(write({"flow.grid_spacing=7 um"}), HasSubstr("it must divide geometry.neck_height"));
@@ -225,8 +208,8 @@ TEST(FlowMesh, ArcsHalveTheCorners) {
 TEST(FlowMesh, IsMadeForEveryShape) {
   for (const char* angle : {"10 deg", "30 deg", "60 deg", "90 deg"}) {
     for (const char* width : {"120 um", "400 um", "1 mm"}) {
-      const FlowMesh mesh = flow_mesh(flow_scene({std::string("geometry.half_angle=") + angle,
-                                                  std::string("geometry.channel_width=") + width}));
+      const FlowMesh mesh = flow_mesh(
+          flow_scene({std::string("geometry.half_angle=") + angle, std::string("geometry.channel_width=") + width}));
       EXPECT_LT(mesh.inlet(), mesh.outlet());
       for (const MeshBlock& block : mesh.blocks) {
         EXPECT_GE(block.cells, 2) << angle << " " << width;
@@ -238,12 +221,11 @@ TEST(FlowMesh, IsMadeForEveryShape) {
 }
 
 TEST(FlowMesh, RefusesCurvesThatCross) {
-  EXPECT_THAT(
-      refusal([] {
-        flow_mesh(flow_scene({"geometry.half_angle=90 deg", "geometry.half_angle_below=10 deg",
-                              "geometry.channel_width=130 um", "geometry.neck_rounding=10 um"}));
-      }),
-      HasSubstr("this shape cannot be meshed: the curves across the channel at"));
+  EXPECT_THAT(refusal([] {
+                flow_mesh(flow_scene({"geometry.half_angle=90 deg", "geometry.half_angle_below=10 deg",
+                                      "geometry.channel_width=130 um", "geometry.neck_rounding=10 um"}));
+              }),
+              HasSubstr("this shape cannot be meshed: the curves across the channel at"));
 }
 
 TEST(FlowMesh, GradedEdgesFollowTheRatio) {
@@ -269,8 +251,7 @@ TEST(FoamDictionaries, InletFacesCarryTheWholeFlux) {
       flux += u *
               (graded_edge(j + 1, mesh.cells_across, mesh.stations[0].grading) -
                graded_edge(j, mesh.cells_across, mesh.stations[0].grading)) *
-              (graded_edge(k + 1, mesh.cells_high, height_grading) -
-               graded_edge(k, mesh.cells_high, height_grading));
+              (graded_edge(k + 1, mesh.cells_high, height_grading) - graded_edge(k, mesh.cells_high, height_grading));
     }
   }
   EXPECT_NEAR(flux / scene.flow.mean_velocity, 1, 1e-6);
@@ -288,4 +269,4 @@ TEST(FlowLattice, CoversTheChannelAndAvoidsTheWalls) {
 }
 
 }  // namespace
-}  // namespace clog
+}  // namespace clogflow

@@ -1,14 +1,14 @@
-#include "coupling/foam_log.hpp"
+#include "coupling/openfoam/foam_log.hpp"
 
 #include <gmock/gmock.h>
 
-#include "coupling/foam_case_writer.hpp"
-#include "coupling/map_flow.hpp"
-#include "coupling/text_file.hpp"
+#include "coupling/base/text_file.hpp"
+#include "coupling/flow/map_flow.hpp"
+#include "coupling/openfoam/foam_case_writer.hpp"
 #include "tests/coupling/flow_scene.hpp"
 #include "tests/coupling/refusal.hpp"
 
-namespace clog {
+namespace clogflow {
 namespace {
 
 using testing::HasSubstr;
@@ -83,4 +83,4 @@ TEST(MapFlow, RefusesCasesThatAreNotSolvedOrOfOtherInputs) {
 }
 
 }  // namespace
-}  // namespace clog
+}  // namespace clogflow

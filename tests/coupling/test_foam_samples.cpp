@@ -1,30 +1,24 @@
-#include "coupling/foam_samples.hpp"
+#include "coupling/openfoam/foam_samples.hpp"
 
 #include <cmath>
 
 #include <gmock/gmock.h>
 
-#include "coupling/flow_flux.hpp"
-#include "coupling/flow_mesh.hpp"
-#include "coupling/grid_from_samples.hpp"
-#include "coupling/lookup_error.hpp"
-#include "coupling/text_file.hpp"
+#include "coupling/base/text_file.hpp"
+#include "coupling/flow/flow_flux.hpp"
+#include "coupling/flow/grid_from_samples.hpp"
+#include "coupling/flow/lookup_error.hpp"
+#include "coupling/openfoam/flow_mesh.hpp"
 #include "tests/coupling/flow_scene.hpp"
 #include "tests/coupling/refusal.hpp"
 
-namespace clog {
+namespace clogflow {
 namespace {
 
 using testing::HasSubstr;
 
 FlowLattice small_lattice() {
-  return {.spacing = 1e-5,
-          .x_begin = -3,
-          .x_end = 2,
-          .x_sampled = -2,
-          .y_sampled = 0,
-          .half_width = 2,
-          .height = 4};
+  return {.spacing = 1e-5, .x_begin = -3, .x_end = 2, .x_sampled = -2, .y_sampled = 0, .half_width = 2, .height = 4};
 }
 
 std::string refusal_of(const std::string& text) {
@@ -36,8 +30,7 @@ std::string refusal_of(const std::string& text) {
 TEST(FoamSamples, ReadsPointsByTheirCoordinates) {
   const ScratchFolder scratch;
   const auto file = scratch.path() / "lattice_U.xy";
-  write_file(
-      file, "# x y z Ux Uy Uz\n5e-06\t5e-06 1.5e-05 0.02 -1e-3 3e-4\n-1.5e-5 1.5e-5 5e-06 1 2 3\n");
+  write_file(file, "# x y z Ux Uy Uz\n5e-06\t5e-06 1.5e-05 0.02 -1e-3 3e-4\n-1.5e-5 1.5e-5 5e-06 1 2 3\n");
   const FoamSamples samples = read_foam_samples(file, small_lattice());
   EXPECT_THAT(samples.points, testing::ElementsAre(4, 2, 2));
   const std::size_t at = samples.index(2, 0, 1);
@@ -49,8 +42,7 @@ TEST(FoamSamples, ReadsPointsByTheirCoordinates) {
 
 TEST(FoamSamples, RefusesDamagedFilesByLine) {
   const std::string good = "5e-06 5e-06 5e-06 1 2 3\n";
-  EXPECT_THAT(refusal_of(good + "5e-06 5e-06 1.5e-05 1 2\n"),
-              HasSubstr("lattice_U.xy:2: \"5e-06 5e-06 1.5e-05 1 2\""));
+  EXPECT_THAT(refusal_of(good + "5e-06 5e-06 1.5e-05 1 2\n"), HasSubstr("lattice_U.xy:2: \"5e-06 5e-06 1.5e-05 1 2\""));
   EXPECT_THAT(refusal_of(good + "5e-06 5e-06 1.5e"), HasSubstr("ends inside a line (cut short)"));
   EXPECT_THAT(refusal_of("5e-06 5e-06 5e-06 1 nan 3\n"), HasSubstr("expected six finite numbers"));
   EXPECT_THAT(refusal_of("5e-06 5e-06 5e-06 1 x 3\n"), HasSubstr("expected six finite numbers"));
@@ -63,8 +55,7 @@ TEST(FoamSamples, RefusesDamagedFilesByLine) {
 
 TEST(FoamSamples, NamesTheFileThatIsMissing) {
   const ScratchFolder scratch;
-  EXPECT_THAT(refusal([&] { foam_samples_file(scratch.path()); }),
-              HasSubstr("lattice_U.xy is missing"));
+  EXPECT_THAT(refusal([&] { foam_samples_file(scratch.path()); }), HasSubstr("lattice_U.xy is missing"));
 }
 
 // Samples whose velocity is (1 + x, y, z - height/2) in units of 100 um: the mirror images continue
@@ -150,9 +141,8 @@ TEST(LookupErrorOfAGrid, IsThatOfAParabolaAndALine) {
   EXPECT_NEAR(error.trilinear, 2.0 / 12 / 2, 1e-12);
   EXPECT_NEAR(error.nearest, std::sqrt((4 + 9) / 12.0) / 2, 1e-12);
   grid.solid[grid.index(0, 1, 1)] = 1;
-  EXPECT_EQ(lookup_error(grid, 2).nearest, 0)
-      << "beside a wall the fluid's own error is not defined";
+  EXPECT_EQ(lookup_error(grid, 2).nearest, 0) << "beside a wall the fluid's own error is not defined";
 }
 
 }  // namespace
-}  // namespace clog
+}  // namespace clogflow

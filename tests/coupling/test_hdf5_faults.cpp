@@ -6,11 +6,11 @@
 
 #include <gmock/gmock.h>
 
-#include "coupling/hdf5_file.hpp"
+#include "coupling/files/hdf5_file.hpp"
 #include "tests/coupling/refusal.hpp"
 #include "tests/coupling/sample_files.hpp"
 
-namespace clog {
+namespace clogflow {
 namespace {
 
 using testing::AnyOf;
@@ -28,9 +28,7 @@ TEST(Hdf5Faults, CutOffAnywhere) {
   for (std::size_t i = 1; i < 20; ++i) lengths.push_back(whole.size() * i / 20);
   for (const std::size_t length : lengths) {
     write_bytes(cut, whole.substr(0, length));
-    EXPECT_THAT(refusal([&] { read_flow_grid(cut); }),
-                AnyOf(HasSubstr("cut off"), HasSubstr("damaged")))
-        << length;
+    EXPECT_THAT(refusal([&] { read_flow_grid(cut); }), AnyOf(HasSubstr("cut off"), HasSubstr("damaged"))) << length;
   }
 }
 
@@ -62,8 +60,7 @@ TEST(Hdf5Faults, OtherFiles) {
   const auto file = temporary("text.h5");
   write_bytes(file, "x,y,z\n1,2,3\n");
   EXPECT_THAT(refusal([&] { read_flow_grid(file); }), HasSubstr("not an HDF5 file, or cut off"));
-  EXPECT_THAT(refusal([] { read_flow_grid("nowhere.h5"); }),
-              HasSubstr("nowhere.h5 (no such file)"));
+  EXPECT_THAT(refusal([] { read_flow_grid("nowhere.h5"); }), HasSubstr("nowhere.h5 (no such file)"));
   EXPECT_THAT(refusal([] { read_flow_grid("/"); }), HasSubstr("not a file"));
   write_flow_grid(sample_grid(), file);
   EXPECT_THAT(refusal([&] { read_run_file(file); }),
@@ -77,28 +74,20 @@ TEST(Hdf5Faults, WrongKindsOfData) {
   out.write("/real", std::vector<double>{1}, {.unit = "m", .shape = {}});
   out.write("/whole", std::vector<std::int64_t>{1}, {.unit = "1", .shape = {}});
   out.write_text("/text", "words");
-  EXPECT_THAT(
-      refusal([&] { out.write("/bare", std::vector<double>{1}, {.unit = "", .shape = {}}); }),
-      HasSubstr("/bare: no unit given"));
-  EXPECT_THAT(
-      refusal([&] { out.write("/shape", std::vector<double>{1}, {.unit = "m", .shape = {2}}); }),
-      HasSubstr("do not fill its shape"));
-  EXPECT_THAT(
-      refusal([&] { out.write("/real", std::vector<double>{1}, {.unit = "m", .shape = {}}); }),
-      HasSubstr("/real: cannot be written"));
+  EXPECT_THAT(refusal([&] { out.write("/bare", std::vector<double>{1}, {.unit = "", .shape = {}}); }),
+              HasSubstr("/bare: no unit given"));
+  EXPECT_THAT(refusal([&] { out.write("/shape", std::vector<double>{1}, {.unit = "m", .shape = {2}}); }),
+              HasSubstr("do not fill its shape"));
+  EXPECT_THAT(refusal([&] { out.write("/real", std::vector<double>{1}, {.unit = "m", .shape = {}}); }),
+              HasSubstr("/real: cannot be written"));
   out.finish();
   const Hdf5Reader in(file, format);
-  EXPECT_THAT(refusal([&] { in.read<double>("/whole", "1"); }),
-              HasSubstr("/whole (must hold floating-point numbers"));
-  EXPECT_THAT(refusal([&] { in.read<std::int64_t>("/real", "m"); }),
-              HasSubstr("/real (must hold whole numbers"));
-  EXPECT_THAT(refusal([&] { in.read<std::uint8_t>("/whole", "1"); }),
-              HasSubstr("of at most 1 bytes"));
-  EXPECT_THAT(refusal([&] { in.read<double>("/text", "1"); }),
-              HasSubstr("/text has no attribute \"unit\""));
+  EXPECT_THAT(refusal([&] { in.read<double>("/whole", "1"); }), HasSubstr("/whole (must hold floating-point numbers"));
+  EXPECT_THAT(refusal([&] { in.read<std::int64_t>("/real", "m"); }), HasSubstr("/real (must hold whole numbers"));
+  EXPECT_THAT(refusal([&] { in.read<std::uint8_t>("/whole", "1"); }), HasSubstr("of at most 1 bytes"));
+  EXPECT_THAT(refusal([&] { in.read<double>("/text", "1"); }), HasSubstr("/text has no attribute \"unit\""));
   EXPECT_THAT(refusal([&] { in.read<double>("/a/b/c", "1"); }), HasSubstr("/a/b/c is missing"));
-  EXPECT_THAT(refusal([&] { in.read_text("/real"); }),
-              HasSubstr("/real (must be a text of fixed length)"));
+  EXPECT_THAT(refusal([&] { in.read_text("/real"); }), HasSubstr("/real (must be a text of fixed length)"));
   EXPECT_THAT(refusal([&] { in.read<double>("/", "1"); }), HasSubstr("not a dataset"));
   EXPECT_EQ(in.read_text("/text"), "words");
   EXPECT_EQ(file_format(file).name, "test");
@@ -107,8 +96,7 @@ TEST(Hdf5Faults, WrongKindsOfData) {
 TEST(Hdf5Faults, NothingRemainsOfAnUnfinishedFile) {
   const auto file = temporary("unfinished.h5");
   { Hdf5Writer out(file, {.name = "test", .version = 1}); }
-  EXPECT_THAT(files_in(file.parent_path()),
-              testing::Not(testing::Contains(HasSubstr("unfinished.h5"))));
+  EXPECT_THAT(files_in(file.parent_path()), testing::Not(testing::Contains(HasSubstr("unfinished.h5"))));
 }
 
 TEST(Hdf5Faults, AFolderThatIsNotThere) {
@@ -134,4 +122,4 @@ TEST(Hdf5Faults, FullDiskKeepsTheOldFile) {
 }
 
 }  // namespace
-}  // namespace clog
+}  // namespace clogflow

@@ -10,7 +10,7 @@
 #include "tests/coupling/refusal.hpp"
 #include "tests/coupling/sample_files.hpp"
 
-namespace clog {
+namespace clogflow {
 namespace {
 
 using testing::AllOf;
@@ -30,21 +30,18 @@ void replace(hid_t file, const char* path, const Stored& stored) {
   // Able to grow, so that a piece may be larger than the whole.
   const std::vector<hsize_t> most(stored.extent.size(), H5S_UNLIMITED);
   const bool grows = H5Pget_layout(stored.list) == H5D_CHUNKED;
-  const hid_t space = H5Screate_simple(static_cast<int>(stored.extent.size()), stored.extent.data(),
-                                       grows ? most.data() : nullptr);
-  const hid_t data =
-      H5Dcreate2(file, path, H5T_IEEE_F64LE, space, H5P_DEFAULT, stored.list, H5P_DEFAULT);
+  const hid_t space =
+      H5Screate_simple(static_cast<int>(stored.extent.size()), stored.extent.data(), grows ? most.data() : nullptr);
+  const hid_t data = H5Dcreate2(file, path, H5T_IEEE_F64LE, space, H5P_DEFAULT, stored.list, H5P_DEFAULT);
   ASSERT_GE(data, 0);
   const hid_t text = H5Tcopy(H5T_C_S1);
-  const hid_t unit =
-      H5Acreate2(data, "unit", text, H5Screate(H5S_SCALAR), H5P_DEFAULT, H5P_DEFAULT);
+  const hid_t unit = H5Acreate2(data, "unit", text, H5Screate(H5S_SCALAR), H5P_DEFAULT, H5P_DEFAULT);
   ASSERT_GE(H5Awrite(unit, text, "J"), 0);
   H5Aclose(unit);
   H5Dclose(data);
 }
 
-std::filesystem::path changed_run(const std::string& name,
-                                  const std::function<void(hid_t)>& change) {
+std::filesystem::path changed_run(const std::string& name, const std::function<void(hid_t)>& change) {
   const auto path = temporary(name);
   write_run_file(sample_run(), path);
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
@@ -58,11 +55,9 @@ std::string read_refusal(const std::filesystem::path& file) {
   return refusal([&] { read_run_file(file); });
 }
 
-void expect_refused(const std::string& name, const std::function<void(hid_t)>& change,
-                    const std::string& reason) {
+void expect_refused(const std::string& name, const std::function<void(hid_t)>& change, const std::string& reason) {
   const auto file = changed_run(name, change);
-  EXPECT_THAT(read_refusal(file),
-              AllOf(StartsWith(file.string() + ": " + column), HasSubstr(reason)));
+  EXPECT_THAT(read_refusal(file), AllOf(StartsWith(file.string() + ": " + column), HasSubstr(reason)));
 }
 
 constexpr const char* not_followed = "links are not followed";
@@ -100,8 +95,7 @@ TEST(HostileHdf5, AVirtualDatasetIsNotRead) {
       "virtual.h5",
       [&](hid_t file) {
         const hsize_t extent = 3;
-        const hid_t space = H5Screate_simple(1, &extent, nullptr),
-                    list = H5Pcreate(H5P_DATASET_CREATE);
+        const hid_t space = H5Screate_simple(1, &extent, nullptr), list = H5Pcreate(H5P_DATASET_CREATE);
         H5Pset_virtual(list, space, temporary("source.h5").c_str(), column, space);
         replace(file, column, {.list = list});
       },
@@ -114,8 +108,7 @@ TEST(HostileHdf5, LinksAreNotFollowed) {
       "link.h5",
       [&](hid_t file) {
         H5Ldelete(file, column, H5P_DEFAULT);
-        H5Lcreate_external(temporary("target.h5").c_str(), column, file, column, H5P_DEFAULT,
-                           H5P_DEFAULT);
+        H5Lcreate_external(temporary("target.h5").c_str(), column, file, column, H5P_DEFAULT, H5P_DEFAULT);
       },
       not_followed);
   expect_refused(
@@ -131,11 +124,9 @@ TEST(HostileHdf5, LinksOfGroupsAreNotFollowed) {
   write_run_file(sample_run(), temporary("target.h5"));
   const auto file = changed_run("group.h5", [&](hid_t id) {
     H5Ldelete(id, "/series", H5P_DEFAULT);
-    H5Lcreate_external(temporary("target.h5").c_str(), "/series", id, "/series", H5P_DEFAULT,
-                       H5P_DEFAULT);
+    H5Lcreate_external(temporary("target.h5").c_str(), "/series", id, "/series", H5P_DEFAULT, H5P_DEFAULT);
   });
-  EXPECT_THAT(read_refusal(file),
-              AllOf(StartsWith(file.string() + ": /series ("), HasSubstr(not_followed)));
+  EXPECT_THAT(read_refusal(file), AllOf(StartsWith(file.string() + ": /series ("), HasSubstr(not_followed)));
 }
 
 // An image of a flow file: the attributes of a group behind a link are no exception.
@@ -145,8 +136,7 @@ TEST(HostileHdf5, AttributesBehindALink) {
   write_flow_grid(sample_grid(), path);
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
   H5Ldelete(file, "/VTKHDF", H5P_DEFAULT);
-  H5Lcreate_external(temporary("other.h5").c_str(), "/VTKHDF", file, "/VTKHDF", H5P_DEFAULT,
-                     H5P_DEFAULT);
+  H5Lcreate_external(temporary("other.h5").c_str(), "/VTKHDF", file, "/VTKHDF", H5P_DEFAULT, H5P_DEFAULT);
   H5Fclose(file);
   EXPECT_THAT(refusal([&] { read_flow_grid(path); }), HasSubstr(not_followed));
 }
@@ -194,15 +184,13 @@ TEST(HostileHdf5, ManyNamesOfTheSameBytes) {
     const std::vector<double> zeros(count);
     ASSERT_GE(H5Dwrite(data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, zeros.data()), 0);
     H5Dclose(data);
-    for (const char* other :
-         {"/series/elastic_energy", "/series/drag_work", "/series/dissipated"}) {
+    for (const char* other : {"/series/elastic_energy", "/series/drag_work", "/series/dissipated"}) {
       H5Ldelete(id, other, H5P_DEFAULT);
       H5Lcreate_hard(id, column, id, other, H5P_DEFAULT, H5P_DEFAULT);
     }
   });
   ASSERT_LT(std::filesystem::file_size(file), 80'000u);
-  EXPECT_THAT(read_refusal(file),
-              AllOf(StartsWith(file.string()), HasSubstr("unpacks to more than")));
+  EXPECT_THAT(read_refusal(file), AllOf(StartsWith(file.string()), HasSubstr("unpacks to more than")));
 }
 
 std::filesystem::path run_with_record(const std::string& name, const std::string& record) {
@@ -211,8 +199,7 @@ std::filesystem::path run_with_record(const std::string& name, const std::string
     const hid_t text = H5Tcopy(H5T_C_S1);
     H5Tset_size(text, record.size());
     const hid_t space = H5Screate(H5S_SCALAR);
-    const hid_t data =
-        H5Dcreate2(file, "/provenance/record", text, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    const hid_t data = H5Dcreate2(file, "/provenance/record", text, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
     ASSERT_GE(H5Dwrite(data, text, H5S_ALL, H5S_ALL, H5P_DEFAULT, record.data()), 0);
     H5Dclose(data);
   });
@@ -229,12 +216,11 @@ TEST(HostileHdf5, ARecordNestedDeep) {
 }
 
 TEST(HostileHdf5, ARecordOfAnotherKind) {
-  for (const auto& [record, reason] :
-       {std::pair("[1, 2]", "/provenance/record is no JSON object"),
-        {"{\"wall_time_s\": \"long\"}", "wall_time_s is no number"},
-        {"{\"particle_steps\": null}", "particle_steps is no number"},
-        {"{\"inputs_hash\": 1}", "inputs_hash is no text"},
-        {"{\"inputs", "is no JSON"}}) {
+  for (const auto& [record, reason] : {std::pair("[1, 2]", "/provenance/record is no JSON object"),
+                                       {"{\"wall_time_s\": \"long\"}", "wall_time_s is no number"},
+                                       {"{\"particle_steps\": null}", "particle_steps is no number"},
+                                       {"{\"inputs_hash\": 1}", "inputs_hash is no text"},
+                                       {"{\"inputs", "is no JSON"}}) {
     const auto file = run_with_record("kind.h5", record);
     EXPECT_THAT(read_refusal(file), AllOf(StartsWith(file.string()), HasSubstr(reason)));
   }
@@ -248,4 +234,4 @@ TEST(HostileHdf5, PipesAndDevicesAreNotOpened) {
 }
 
 }  // namespace
-}  // namespace clog
+}  // namespace clogflow

@@ -6,14 +6,14 @@
 
 #include <gmock/gmock.h>
 
-#include "coupling/scene_bounds.hpp"
-#include "coupling/shown_text.hpp"
-#include "coupling/sweep.hpp"
-#include "coupling/units.hpp"
+#include "coupling/base/shown_text.hpp"
+#include "coupling/base/units.hpp"
+#include "coupling/scene/scene_bounds.hpp"
+#include "coupling/scene/sweep.hpp"
 #include "tests/coupling/flow_scene.hpp"
 #include "tests/coupling/refusal.hpp"
 
-namespace clog {
+namespace clogflow {
 namespace {
 
 using testing::AllOf;
@@ -32,9 +32,8 @@ constexpr const char* too_deep = "a name of more than 9 parts";
 
 TEST(HostileScene, NamesOfManyParts) {
   const std::string name = repeated("a.", deep) + "a";
-  for (const std::string& text :
-       {name + " = 1", "[" + name + "]", "[[" + name + "]]", repeated("\"a\" . ", deep) + "a = 1",
-        "x = {y = [{" + name + " = 1}]}"})
+  for (const std::string& text : {name + " = 1", "[" + name + "]", "[[" + name + "]]",
+                                  repeated("\"a\" . ", deep) + "a = 1", "x = {y = [{" + name + " = 1}]}"})
     EXPECT_THAT(refusal([&] { parse_scene("\n" + text + "\n", "deep.toml"); }),
                 AllOf(StartsWith("deep.toml:2: "), HasSubstr(too_deep)))
         << text.substr(0, 20);
@@ -44,14 +43,10 @@ TEST(HostileScene, NamesOfManyParts) {
 
 TEST(HostileScene, DotsElsewhereAreNoParts) {
   const std::string dots = repeated(".", 30);
-  EXPECT_NO_THROW(check_scene_text(
-      "# " + dots + "\na = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 1.5]\n", "x"));
-  EXPECT_NO_THROW(check_scene_text(
-      "a = \"" + dots + "\"\nb = '" + dots + "'\nc = \"\\\"" + dots + "\"\n", "x"));
-  EXPECT_NO_THROW(check_scene_text(
-      "a = \"\"\"\n" + dots + "\"\n" + dots + "\"\"\"\nb = '''" + dots + "'''\n", "x"));
-  EXPECT_THAT(refusal([&] { check_scene_text("a = \"\"\"\"\"\"\n" + dots, "x"); }),
-              StartsWith("x:2: "));
+  EXPECT_NO_THROW(check_scene_text("# " + dots + "\na = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 1.5]\n", "x"));
+  EXPECT_NO_THROW(check_scene_text("a = \"" + dots + "\"\nb = '" + dots + "'\nc = \"\\\"" + dots + "\"\n", "x"));
+  EXPECT_NO_THROW(check_scene_text("a = \"\"\"\n" + dots + "\"\n" + dots + "\"\"\"\nb = '''" + dots + "'''\n", "x"));
+  EXPECT_THAT(refusal([&] { check_scene_text("a = \"\"\"\"\"\"\n" + dots, "x"); }), StartsWith("x:2: "));
 }
 
 TEST(HostileScene, ValuesNestedDeep) {
@@ -81,8 +76,7 @@ TEST(HostileScene, AKeyOfMegabytes) {
   };
   EXPECT_THAT(try_length(20'000'000), HasSubstr("20000005 bytes: a scene has at most 4194304"));
   EXPECT_THAT(try_length(4'000'000), HasSubstr("kkk... = 1 (unknown key"));
-  EXPECT_THAT(refusal([] { flow_scene({std::string(100'000, 'k') + "=1"}); }),
-              HasSubstr("unknown key"));
+  EXPECT_THAT(refusal([] { flow_scene({std::string(100'000, 'k') + "=1"}); }), HasSubstr("unknown key"));
 }
 
 /// 100,000 characters in the place of every kind of value.
@@ -99,14 +93,9 @@ TEST(HostileScene, MessagesQuoteALine) {
   }
   const ScratchFolder scratch;
   write_file(scratch.path() / "scene.toml", "");
-  EXPECT_LT(refusal([&] {
-              read_scene(scratch.path() / "scene.toml", {"geometry.stl=" + endless});
-            }).size(),
-            800u);
+  EXPECT_LT(refusal([&] { read_scene(scratch.path() / "scene.toml", {"geometry.stl=" + endless}); }).size(), 800u);
   EXPECT_LT(refusal([&] { parse_quantity(endless); }).size(), 250u);
-  EXPECT_LT(
-      refusal([&] { sweep_points({"particles.diameter=" + endless + "," + endless}); }).size(),
-      400u);
+  EXPECT_LT(refusal([&] { sweep_points({"particles.diameter=" + endless + "," + endless}); }).size(), 400u);
   EXPECT_LT(refusal([&] { parse_scene("a = 1\na = 2 " + endless, "x"); }).size(), 400u);
 }
 
@@ -135,4 +124,4 @@ TEST(ShownText, CutsBetweenCharactersAndStaysOnOneLine) {
 }
 
 }  // namespace
-}  // namespace clog
+}  // namespace clogflow

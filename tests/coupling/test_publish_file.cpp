@@ -8,14 +8,14 @@
 
 #include <gmock/gmock.h>
 
-#include "coupling/file_part.hpp"
-#include "coupling/hdf5_file.hpp"
-#include "coupling/publish_file.hpp"
-#include "coupling/text_file.hpp"
+#include "coupling/base/file_part.hpp"
+#include "coupling/base/publish_file.hpp"
+#include "coupling/base/text_file.hpp"
+#include "coupling/files/hdf5_file.hpp"
 #include "tests/coupling/refusal.hpp"
 #include "tests/scratch.hpp"
 
-namespace clog {
+namespace clogflow {
 namespace {
 
 using testing::ElementsAre;
@@ -113,19 +113,16 @@ TEST(PublishFile, FollowsNoLinkAndTakesNoForeignFile) {
   { Hdf5Writer unfinished(here.path() / "a", format); }
   EXPECT_EQ(read_text_file(here.path() / "victim"), "precious");
   EXPECT_EQ(read_text_file(here.path() / "a.part"), "of the user");
-  EXPECT_THAT(files_in(here.path()),
-              ElementsAre("a", "a.clog.part", "a.clog2.part", "a.part", "victim"));
+  EXPECT_THAT(files_in(here.path()), ElementsAre("a", "a.clog.part", "a.clog2.part", "a.part", "victim"));
 }
 
 TEST(PublishFile, ToldIsTheFileAndTheReason) {
   const ScratchFolder here;
   EXPECT_THAT(refusal([&] { publish_file("x", here.path() / "absent" / "a"); }),
               HasSubstr("absent/a (cannot be written: No such file or directory)"));
-  EXPECT_THAT(refusal([&] { publish_file("x", here.path()); }),
-              HasSubstr("(cannot be written: Is a directory)"));
-  EXPECT_THAT(refusal([&] { publish_file("x", "/dev/full"); }),
-              HasSubstr("/dev/full (cannot be written: "));
+  EXPECT_THAT(refusal([&] { publish_file("x", here.path()); }), HasSubstr("(cannot be written: Is a directory)"));
+  EXPECT_THAT(refusal([&] { publish_file("x", "/dev/full"); }), HasSubstr("/dev/full (cannot be written: "));
 }
 
 }  // namespace
-}  // namespace clog
+}  // namespace clogflow

@@ -1,11 +1,11 @@
 // A scene printed for the eye is the same scene.
 #include <gmock/gmock.h>
 
-#include "coupling/readable_scene.hpp"
-#include "coupling/source_folder.hpp"
+#include "coupling/base/source_folder.hpp"
+#include "coupling/scene/readable_scene.hpp"
 #include "tests/coupling/flow_scene.hpp"
 
-namespace clog {
+namespace clogflow {
 namespace {
 
 using testing::AllOf;
@@ -14,12 +14,10 @@ using testing::Not;
 
 TEST(ReadableScene, SaysQuantitiesAsPeopleDo) {
   const std::string text = readable_scene(effective_scene(flow_scene()));
-  EXPECT_THAT(
-      text,
-      AllOf(HasSubstr("half_angle = \"60 deg\"\n"), HasSubstr("diameter = \"33 um\"\n"),
-            HasSubstr("mean_velocity = \"5 mm/s\"\n"), HasSubstr("youngs_modulus = \"3 MPa\"\n"),
-            HasSubstr("viscosity = \"1.8 mPa s\"\n"), HasSubstr("poisson_ratio = 0.35\n"),
-            Not(HasSubstr("rad\"")), Not(HasSubstr("e-0"))));
+  EXPECT_THAT(text, AllOf(HasSubstr("half_angle = \"60 deg\"\n"), HasSubstr("diameter = \"33 um\"\n"),
+                          HasSubstr("mean_velocity = \"5 mm/s\"\n"), HasSubstr("youngs_modulus = \"3 MPa\"\n"),
+                          HasSubstr("viscosity = \"1.8 mPa s\"\n"), HasSubstr("poisson_ratio = 0.35\n"),
+                          Not(HasSubstr("rad\"")), Not(HasSubstr("e-0"))));
 }
 
 TEST(ReadableScene, IsReadBackToTheSameScene) {
@@ -30,8 +28,7 @@ TEST(ReadableScene, IsReadBackToTheSameScene) {
     EXPECT_EQ(effective_scene(parse_scene(readable_scene(text), again)), text) << name;
   }
   for (const char* angle : {"60 deg", "33.333 deg", "1 rad", "0.1 rad", "1.0471975511965979 rad"}) {
-    const std::string text =
-        effective_scene(flow_scene({std::string("geometry.half_angle=") + angle}));
+    const std::string text = effective_scene(flow_scene({std::string("geometry.half_angle=") + angle}));
     EXPECT_EQ(effective_scene(parse_scene(readable_scene(text), "again")), text) << angle;
   }
 }
@@ -48,4 +45,4 @@ TEST(ReadableScene, TouchesNothingButQuantities) {
 }
 
 }  // namespace
-}  // namespace clog
+}  // namespace clogflow

@@ -4,11 +4,11 @@
 
 #include <gmock/gmock.h>
 
-#include "coupling/hdf5_file.hpp"
+#include "coupling/files/hdf5_file.hpp"
 #include "tests/coupling/refusal.hpp"
 #include "tests/coupling/sample_files.hpp"
 
-namespace clog {
+namespace clogflow {
 namespace {
 
 using testing::HasSubstr;
@@ -96,10 +96,7 @@ for frame, particles in zip(frames, (2, 3)):
     assert values['id'].tolist() == [10 * particles + i for i in range(particles)]
     assert set(values) == {'id', 'radius', 'velocity', 'spin', 'force', 'torque'}
 )";
-  EXPECT_EQ(
-      std::system(fmt::format("/usr/bin/python3 {} {}", script.string(), scratch_folder().string())
-                      .c_str()),
-      0);
+  EXPECT_EQ(std::system(fmt::format("/usr/bin/python3 {} {}", script.string(), scratch_folder().string()).c_str()), 0);
 }
 
 TEST(RunFile, EveryDatasetHasAUnit) {
@@ -112,9 +109,7 @@ TEST(RunFile, EveryDatasetHasAUnit) {
                            "    if isinstance(item, h5py.Dataset) and item.dtype.kind != 'S': "
                            "assert item.attrs['unit'], name\n"
                            "h5py.File(sys.argv[1]).visititems(check)\n";
-  EXPECT_EQ(std::system(fmt::format("/usr/bin/python3 {} {}", script.string(),
-                                    temporary("units.h5").string())
-                            .c_str()),
+  EXPECT_EQ(std::system(fmt::format("/usr/bin/python3 {} {}", script.string(), temporary("units.h5").string()).c_str()),
             0);
 }
 
@@ -130,15 +125,11 @@ TEST(RunFile, WriterRefuses) {
                 r.passages.time = {2, 1};
               }),
               HasSubstr("/passages/time is not in ascending order"));
-  EXPECT_THAT(
-      refused([](RunData& r) { r.passages.time[1] = std::numeric_limits<double>::infinity(); }),
-      HasSubstr("/passages/time is not"));
-  EXPECT_THAT(refused([](RunData& r) { r.series.porosity.pop_back(); }),
-              HasSubstr("/series/porosity has 2 rows"));
-  EXPECT_THAT(refused([](RunData& r) { r.series.porosity[1].pop_back(); }),
-              HasSubstr("rows of different length"));
-  EXPECT_THAT(refused([](RunData& r) { r.series.time[1] = -1; }),
-              HasSubstr("/series/time is not in ascending order"));
+  EXPECT_THAT(refused([](RunData& r) { r.passages.time[1] = std::numeric_limits<double>::infinity(); }),
+              HasSubstr("/passages/time is not"));
+  EXPECT_THAT(refused([](RunData& r) { r.series.porosity.pop_back(); }), HasSubstr("/series/porosity has 2 rows"));
+  EXPECT_THAT(refused([](RunData& r) { r.series.porosity[1].pop_back(); }), HasSubstr("rows of different length"));
+  EXPECT_THAT(refused([](RunData& r) { r.series.time[1] = -1; }), HasSubstr("/series/time is not in ascending order"));
   EXPECT_THAT(refused([](RunData& r) { r.end_time = std::numeric_limits<double>::quiet_NaN(); }),
               HasSubstr("/end_time is nan s (must be from 0 on)"));
   EXPECT_THAT(refused([](RunData& r) { r.end_time = -1; }), HasSubstr("/end_time is -1 s (must be from 0 on)"));
@@ -157,9 +148,8 @@ TEST(RunFile, ReaderRefusesOtherFormats) {
   Hdf5Writer unit(file, {.name = "clogflow run", .version = 1});
   unit.write("/passages/time", std::vector<double>{1}, {.unit = "ms", .shape = {}});
   unit.finish();
-  EXPECT_THAT(refusal([&] { read_run_file(file); }),
-              HasSubstr("/passages/time has the unit \"ms\" (must be \"s\")"));
+  EXPECT_THAT(refusal([&] { read_run_file(file); }), HasSubstr("/passages/time has the unit \"ms\" (must be \"s\")"));
 }
 
 }  // namespace
-}  // namespace clog
+}  // namespace clogflow

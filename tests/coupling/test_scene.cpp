@@ -1,27 +1,27 @@
 // What a scene means: values, defaults, overrides, and the way back to text.
 #include <fstream>
-#include <regex>
 #include <numbers>
+#include <regex>
 
 #include <gmock/gmock.h>
 
-#include "coupling/content_hash.hpp"
-#include "coupling/scene.hpp"
-#include "coupling/scene_draft.hpp"
-#include "coupling/scene_keys.hpp"
-#include "coupling/source_folder.hpp"
+#include "coupling/base/content_hash.hpp"
+#include "coupling/base/source_folder.hpp"
+#include "coupling/scene/scene.hpp"
+#include "coupling/scene/scene_draft.hpp"
+#include "coupling/scene/scene_keys.hpp"
 #include "tests/coupling/refusal.hpp"
 #include "tests/coupling/scene_texts.hpp"
 #include "tests/scratch.hpp"
 
-namespace clog {
+namespace clogflow {
 namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-const std::filesystem::path paper = clog::source_folder() / "scenes/paper.toml";
+const std::filesystem::path paper = clogflow::source_folder() / "scenes/paper.toml";
 
 TEST(Scene, PaperHasThePapersValues) {
   const Scene scene = read_scene(paper);
@@ -74,29 +74,26 @@ TEST(Scene, AbsentSectionsAreOff) {
 }
 
 TEST(Scene, LaboratoryKeys) {
-  const Scene scene = parse_scene(
-      "body_force = [\"0 N\", \"-2 nN\", \"0 N\"]\n" + laboratory +
-          "[box]\nmin = [\"0 m\", \"0 m\", \"0 m\"]\nmax = [\"1 mm\", \"2 mm\", \"3 mm\"]\n"
-          "[flow]\nsource = \"uniform\"\nvelocity = \"5 mm/s\"\n",
-      "scene");
+  const Scene scene = parse_scene("body_force = [\"0 N\", \"-2 nN\", \"0 N\"]\n" + laboratory +
+                                      "[box]\nmin = [\"0 m\", \"0 m\", \"0 m\"]\nmax = [\"1 mm\", \"2 mm\", \"3 mm\"]\n"
+                                      "[flow]\nsource = \"uniform\"\nvelocity = \"5 mm/s\"\n",
+                                  "scene");
   EXPECT_THAT(scene.body_force, ElementsAre(0, -2e-9, 0));
   EXPECT_TRUE(scene.box.present);
   EXPECT_THAT(scene.box.max, ElementsAre(1e-3, 2e-3, 3e-3));
   EXPECT_THAT(scene.flow.velocity, ElementsAre(5e-3, 0, 0));
   EXPECT_DOUBLE_EQ(scene.stokes_time(), 6.6e-3);
-  const Scene three = parse_scene(
-      laboratory, "scene", {"flow.source=uniform", R"(flow.velocity=["1 m/s","2 m/s","3 m/s"])"});
+  const Scene three =
+      parse_scene(laboratory, "scene", {"flow.source=uniform", R"(flow.velocity=["1 m/s","2 m/s","3 m/s"])"});
   EXPECT_THAT(three.flow.velocity, ElementsAre(1, 2, 3));
-  const Scene mean =
-      parse_scene(laboratory, "scene", {"flow.source=uniform", "flow.mean_velocity=4 m/s"});
+  const Scene mean = parse_scene(laboratory, "scene", {"flow.source=uniform", "flow.mean_velocity=4 m/s"});
   EXPECT_THAT(mean.flow.velocity, ElementsAre(4, 0, 0));
 }
 
 TEST(Scene, OverridesNeedNoQuotes) {
-  const Scene scene = parse_scene(
-      channel, "scene",
-      {"particles.diameter=22 um", "inlet.start = empty", "contact.friction.rolling=0.1",
-       "ensemble.seeds=1-4,9", "drag.enabled=false", "time.step_fraction=0.5"});
+  const Scene scene = parse_scene(channel, "scene",
+                                  {"particles.diameter=22 um", "inlet.start = empty", "contact.friction.rolling=0.1",
+                                   "ensemble.seeds=1-4,9", "drag.enabled=false", "time.step_fraction=0.5"});
   EXPECT_EQ(scene.particles.diameter, 22e-6);
   EXPECT_EQ(scene.inlet.start, InletStart::empty);
   EXPECT_EQ(scene.contact.friction.rolling, 0.1);
@@ -125,16 +122,13 @@ TEST(Scene, EffectiveTextIsReadBackToItself) {
       read_scene(paper),
       parse_scene(channel, "scene"),
       parse_scene(laboratory, "scene"),
+      parse_scene(laboratory, "scene", {"time.step=1 us", "flow.source=uniform", "flow.velocity=1 m/s"}),
       parse_scene(laboratory, "scene",
-                  {"time.step=1 us", "flow.source=uniform", "flow.velocity=1 m/s"}),
-      parse_scene(
-          laboratory, "scene",
-          {R"(box.min=["0 m","0 m","0 m"])", R"(box.max=["1 m","1 m","1 m"])",
-           R"(body_force=["0 N","1 nN","0 N"])", "particles.initial=a \"strange\" \\ name.csv"}),
-      parse_scene(
-          channel, "scene",
-          {"flow.pulsation.strength=1", "flow.pulsation.time=1 ms", "drag.fluctuation.strength=1",
-           "drag.fluctuation.time=1 ms", "fidelity.preset=fast", "ensemble.seeds=[3, 4, 9]"}),
+                  {R"(box.min=["0 m","0 m","0 m"])", R"(box.max=["1 m","1 m","1 m"])",
+                   R"(body_force=["0 N","1 nN","0 N"])", "particles.initial=a \"strange\" \\ name.csv"}),
+      parse_scene(channel, "scene",
+                  {"flow.pulsation.strength=1", "flow.pulsation.time=1 ms", "drag.fluctuation.strength=1",
+                   "drag.fluctuation.time=1 ms", "fidelity.preset=fast", "ensemble.seeds=[3, 4, 9]"}),
   };
   for (const Scene& scene : scenes) {
     const std::string text = effective_scene(scene);
@@ -146,9 +140,8 @@ TEST(Scene, EffectiveTextIsReadBackToItself) {
 std::string other_value(const Key& key) {
   if (const auto* number = std::get_if<NumberSlot>(&key.slot)) {
     const double value = number->range.high <= 0 ? -123 : number->range.high <= 1 ? 0.25 : 123;
-    return number->dimension == dimension::number
-               ? fmt::format("{}", value)
-               : si_quantity(1e-7 * value, number->dimension);
+    return number->dimension == dimension::number ? fmt::format("{}", value)
+                                                  : si_quantity(1e-7 * value, number->dimension);
   }
   if (std::holds_alternative<CountSlot>(key.slot)) return "7";
   if (std::holds_alternative<SwitchSlot>(key.slot)) return "true";
@@ -166,11 +159,10 @@ TEST(Scene, EveryKeyReachesTheEffectiveText) {
     draft.scene.geometry.present = true;
     const std::string text = effective_scene(draft.scene);
     const std::string leaf(key.path.substr(section_of(key.path).size() + 1));
-    const bool quoted = std::holds_alternative<WordSlot>(key.slot) ||
-                        (std::holds_alternative<NumberSlot>(key.slot) &&
-                         std::get<NumberSlot>(key.slot).dimension != dimension::number);
-    EXPECT_THAT(text,
-                HasSubstr(fmt::format("{} = {}\n", leaf, quoted ? '"' + value + '"' : value)));
+    const bool quoted =
+        std::holds_alternative<WordSlot>(key.slot) ||
+        (std::holds_alternative<NumberSlot>(key.slot) && std::get<NumberSlot>(key.slot).dimension != dimension::number);
+    EXPECT_THAT(text, HasSubstr(fmt::format("{} = {}\n", leaf, quoted ? '"' + value + '"' : value)));
   }
 }
 
@@ -182,9 +174,9 @@ TEST(Scene, FlowInputsAreOnlyWhatDecidesTheFlow) {
   const std::string inputs = flow_inputs(parse_scene(channel, "scene"));
   EXPECT_THAT(inputs, HasSubstr("geometry.neck_width = \"0.0001 m\"\n"));
   EXPECT_THAT(inputs, HasSubstr("flow.grid_spacing"));
-  EXPECT_EQ(inputs, flow_inputs(parse_scene(channel, "other",
-                                            {"particles.diameter=22 um", "flow.lookup=trilinear",
-                                             "drag.enabled=false"})));
+  EXPECT_EQ(inputs,
+            flow_inputs(parse_scene(channel, "other",
+                                    {"particles.diameter=22 um", "flow.lookup=trilinear", "drag.enabled=false"})));
   EXPECT_NE(inputs, flow_inputs(parse_scene(channel, "scene", {"fluid.viscosity=1 mPa s"})));
 }
 
@@ -204,8 +196,7 @@ TEST(Scene, AFileOfWallsCountsByItsContent) {
   const auto folder = scratch_folder();
   const auto inputs = [&](const char* name, const char* content) {
     std::ofstream(folder / name) << content;
-    return flow_inputs(
-        parse_scene(channel, "scene", {fmt::format("geometry.stl={}", (folder / name).string())}));
+    return flow_inputs(parse_scene(channel, "scene", {fmt::format("geometry.stl={}", (folder / name).string())}));
   };
   EXPECT_EQ(inputs("a.stl", "solid"), inputs("b.stl", "solid"));
   EXPECT_NE(inputs("a.stl", "solid"), inputs("b.stl", "other"));
@@ -243,4 +234,4 @@ TEST(ContentHash, PublishedValues) {
 }
 
 }  // namespace
-}  // namespace clog
+}  // namespace clogflow

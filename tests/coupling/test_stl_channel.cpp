@@ -1,6 +1,6 @@
 // Channels from STL files: what is measured in them, and what is refused.
-#include "coupling/source_folder.hpp"
-#include "coupling/stl_channel.hpp"
+#include "coupling/base/source_folder.hpp"
+#include "coupling/geometry/stl_channel.hpp"
 
 #include <cmath>
 #include <fstream>
@@ -10,15 +10,15 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include "coupling/channel_geometry.hpp"
-#include "coupling/channel_shape.hpp"
-#include "coupling/stl.hpp"
-#include "coupling/text_file.hpp"
-#include "coupling/wall_sections.hpp"
+#include "coupling/base/text_file.hpp"
+#include "coupling/geometry/channel_geometry.hpp"
+#include "coupling/geometry/channel_shape.hpp"
+#include "coupling/geometry/stl.hpp"
+#include "coupling/geometry/wall_sections.hpp"
 #include "tests/coupling/flow_scene.hpp"
 #include "tests/coupling/refusal.hpp"
 
-namespace clog {
+namespace clogflow {
 namespace {
 
 using testing::AllOf;
@@ -54,9 +54,7 @@ public:
     write_file(folder_.path() / "walls.stl", stl);
     write_file(folder_.path() / "scene.toml", text_of_scene);
   }
-  Scene read(const Overrides& overrides = {}) const {
-    return read_scene(folder_.path() / "scene.toml", overrides);
-  }
+  Scene read(const Overrides& overrides = {}) const { return read_scene(folder_.path() / "scene.toml", overrides); }
   std::string refused(const Overrides& overrides = {}) const {
     const std::string message = refusal([&] { read(overrides); });
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
@@ -67,7 +65,7 @@ private:
   ScratchFolder folder_;
 };
 
-std::string paper_stl() { return channel_stl(flow_scene(), 1e-6); }
+std::string paper_stl() { return channel_stl(flow_scene().geometry, 1e-6); }
 
 TEST(StlChannel, IsMeasured) {
   const StlScene file(paper_stl());
@@ -75,14 +73,14 @@ TEST(StlChannel, IsMeasured) {
   EXPECT_NEAR(measured.geometry.channel_width, 4e-4, 1e-10);
   EXPECT_NEAR(measured.geometry.neck_height, 1e-4, 1e-10);
   EXPECT_NEAR(measured.geometry.channel_length, 1e-3, 1e-9);
-  EXPECT_NEAR(channel_start(measured), channel_start(keys), 1e-9);
-  EXPECT_NEAR(narrowing_length(measured), narrowing_length(keys), 1e-9);
-  EXPECT_NEAR(channel_end(measured), 1e-4, 1e-9);
-  EXPECT_EQ(neck_start(measured), 0);
-  EXPECT_DOUBLE_EQ(neck_mean_velocity(measured), 20e-3);
+  EXPECT_NEAR(channel_start(measured.geometry), channel_start(keys.geometry), 1e-9);
+  EXPECT_NEAR(narrowing_length(measured.geometry), narrowing_length(keys.geometry), 1e-9);
+  EXPECT_NEAR(channel_end(measured.geometry), 1e-4, 1e-9);
+  EXPECT_EQ(neck_start(measured.geometry), 0);
+  EXPECT_DOUBLE_EQ(neck_mean_velocity(measured.geometry, measured.flow.mean_velocity), 20e-3);
   for (const auto& [from, to] : {std::pair(-1.0e-3, 0.0), {-6e-5, 3e-5}, {-5e-4, -4e-4}})
-    EXPECT_NEAR(channel_volume(measured, from, to) / channel_volume(keys, from, to), 1, 1e-6);
-  EXPECT_EQ(read_stl_channel(measured)->walls.size(), channel_walls(keys).size());
+    EXPECT_NEAR(channel_volume(measured.geometry, from, to) / channel_volume(keys.geometry, from, to), 1, 1e-6);
+  EXPECT_EQ(read_stl_channel(measured.geometry)->walls.size(), channel_walls(keys.geometry).size());
   // It is complete as text, with no file at hand.
   const Scene again = parse_scene(effective_scene(measured), "again");
   EXPECT_EQ(flow_inputs(again), flow_inputs(measured));
@@ -91,13 +89,13 @@ TEST(StlChannel, IsMeasured) {
 
 TEST(StlChannel, SectionsAndPlacesInside) {
   const Scene keys = flow_scene();
-  const Walls walls = channel_walls(keys);
+  const Walls walls = channel_walls(keys.geometry);
   for (const double x : {-8e-4, -5e-5, 5e-5}) {
     const WallSection section = section_at(walls, x);
-    EXPECT_NEAR(section.width(), channel_width_at(keys, x), 1e-12);
+    EXPECT_NEAR(section.width(), channel_width_at(keys.geometry, x), 1e-12);
     EXPECT_NEAR(section.height(), 1e-4, 1e-12);
-    EXPECT_NEAR(section.area, channel_width_at(keys, x) * 1e-4, 1e-15);
-    const double edge = channel_width_at(keys, x) / 2;
+    EXPECT_NEAR(section.area, channel_width_at(keys.geometry, x) * 1e-4, 1e-15);
+    const double edge = channel_width_at(keys.geometry, x) / 2;
     const std::vector<double> heights{-1e-6, 1e-6, 5e-5, 9.9e-5, 1.01e-4};
     const std::vector<bool> between{false, true, true, true, false};
     EXPECT_EQ(inside_along_z(walls, x, 0.997 * edge, heights), between);
@@ -105,7 +103,7 @@ TEST(StlChannel, SectionsAndPlacesInside) {
     EXPECT_EQ(inside_along_z(walls, x, 1.003 * edge, heights), std::vector<bool>(5, false));
   }
   EXPECT_EQ(section_at(walls, 1).area, 0);
-  EXPECT_NEAR(straight_until(walls), -narrowing_length(keys), 1e-12);
+  EXPECT_NEAR(straight_until(walls), -narrowing_length(keys.geometry), 1e-12);
 }
 
 // Swaps the last two corners of every facet.
@@ -114,13 +112,14 @@ std::string turned(const std::string& stl) {
 }
 
 TEST(StlChannel, NormalsMayPointOutAsOfADrawnBody) {
-  const Walls in = read_stl_channel(StlScene(paper_stl()).read())->walls;
+  const Walls in = read_stl_channel(StlScene(paper_stl()).read().geometry)->walls;
   const StlScene file(turned(paper_stl()));
-  const Walls out = read_stl_channel(file.read())->walls;
+  const Walls out = read_stl_channel(file.read().geometry)->walls;
   const Vec3 normal = (out[0].corner[1] - out[0].corner[0]).cross(out[0].corner[2] - out[0].corner[0]);
   const Vec3 wanted = (in[0].corner[1] - in[0].corner[0]).cross(in[0].corner[2] - in[0].corner[0]);
   EXPECT_GT(normal.dot(wanted), 0);
-  EXPECT_NEAR(channel_volume(file.read(), -1e-3, 0) / channel_volume(flow_scene(), -1e-3, 0), 1, 1e-6);
+  EXPECT_NEAR(channel_volume(file.read().geometry, -1e-3, 0) / channel_volume(flow_scene().geometry, -1e-3, 0), 1,
+              1e-6);
 }
 
 // Text of the first facet after `from`.
@@ -145,7 +144,6 @@ TEST(StlChannel, RefusesAnOpenOrTurnedSurface) {
   const std::size_t third = wall.rfind("vertex");
   fin.insert(at, wall.substr(0, third) + "vertex -300 0 50\nendloop\nendfacet\n");
   EXPECT_THAT(StlScene(fin).refused(), AnyOf(HasSubstr("the surface is not closed"), HasSubstr("meet in the edge")));
-
 }
 
 TEST(StlChannel, RefusesTrianglesThatShareAnEdgeByFour) {
@@ -200,24 +198,26 @@ TEST(StlChannel, ComparesTheScaleAndWhatElseTheSceneSays) {
   EXPECT_THAT(file.refused({"geometry.channel_width=500 um"}), HasSubstr("geometry.channel_width"));
   EXPECT_THAT(file.refused({"geometry.half_angle=60 deg"}), HasSubstr("the shape comes from geometry.stl"));
   EXPECT_THAT(file.refused({"geometry.stl_content=0123456789abcdef"}), HasSubstr("the file has changed"));
-  EXPECT_THAT(refusal([&] { channel_stl(file.read(), 1e-6); }), HasSubstr("the channel is a file already"));
+  EXPECT_THAT(refusal([&] { channel_stl(file.read().geometry, 1e-6); }), HasSubstr("the channel is a file already"));
 }
 
 // Whole names, and the user's own in the message.
 TEST(StlChannel, TellsPartsByTheirWholeNames) {
   const std::string plate = std::regex_replace(paper_stl(), std::regex("solid walls"), "solid outlet plate");
   EXPECT_NEAR(StlScene(plate).read().geometry.outlet_position, 1e-4, 1e-9);
-  EXPECT_EQ(read_stl_channel(StlScene(plate).read())->walls.size(), channel_walls(flow_scene()).size());
+  EXPECT_EQ(read_stl_channel(StlScene(plate).read().geometry)->walls.size(),
+            channel_walls(flow_scene().geometry).size());
   for (const char* name : {"Inlet", "INLET", "inlet_1", "inlet 2", "inle", "inlets", "inlett", "ilnet"})
-    EXPECT_THAT(StlScene(std::regex_replace(paper_stl(), std::regex("solid inlet"), fmt::format("solid {}", name))).refused(),
-                AllOf(HasSubstr(fmt::format("a part is named \"{}\"", name)), HasSubstr("the opening must be named inlet")));
+    EXPECT_THAT(
+        StlScene(std::regex_replace(paper_stl(), std::regex("solid inlet"), fmt::format("solid {}", name))).refused(),
+        AllOf(HasSubstr(fmt::format("a part is named \"{}\"", name)), HasSubstr("the opening must be named inlet")));
   EXPECT_THAT(StlScene(std::regex_replace(paper_stl(), std::regex("solid walls"), "solid Outlet")).refused(),
               HasSubstr("a part is named \"Outlet\""));
 }
 
 TEST(StlChannel, TakesAPlateOfTheOutletForAWall) {
   const Scene scene = read_scene(cases / "outlet_with_plate.toml");
-  const StlChannel channel = *read_stl_channel(scene);
+  const StlChannel channel = *read_stl_channel(scene.geometry);
   // All 80 facets but two and two of the openings.
   EXPECT_EQ(channel.walls.size() + 4, read_stl(cases / "outlet_with_plate.stl").size());
   const StlScene inlet_wall(read_text_file(cases / "inletwall.stl"));
@@ -246,15 +246,16 @@ TEST(StlChannel, OfOnePartHasItsOpeningsInItsEndPlanes) {
   const StlScene binary(as_binary(read_stl(folder.path() / "channel.stl")));
   const StlScene text(paper_stl());
   const Scene scene = binary.read(), named = text.read();
-  EXPECT_EQ(read_stl_channel(scene)->walls.size(), read_stl_channel(named)->walls.size());
+  EXPECT_EQ(read_stl_channel(scene.geometry)->walls.size(), read_stl_channel(named.geometry)->walls.size());
   EXPECT_NEAR(scene.geometry.inlet_position, named.geometry.inlet_position, 1e-9);
   EXPECT_NEAR(scene.geometry.channel_width, 4e-4, 1e-9);
-  EXPECT_NEAR(channel_volume(scene, -1e-3, 0) / channel_volume(named, -1e-3, 0), 1, 1e-6);
+  EXPECT_NEAR(channel_volume(scene.geometry, -1e-3, 0) / channel_volume(named.geometry, -1e-3, 0), 1, 1e-6);
   // Without its ends it says so.
-  Walls open = channel_walls(flow_scene());
+  Walls open = channel_walls(flow_scene().geometry);
   for (Triangle& t : open)
     for (Vec3& corner : t.corner) corner *= 1e6;
-  EXPECT_THAT(StlScene(as_binary(open)).refused(), HasSubstr("is one part and has no facet in the plane of its smallest x"));
+  EXPECT_THAT(StlScene(as_binary(open)).refused(),
+              HasSubstr("is one part and has no facet in the plane of its smallest x"));
 }
 
 // Every corner of every facet moved by itself, as a program does that computes a seam twice.
@@ -274,20 +275,22 @@ std::string shaken(const std::string& stl, double by) {
 
 TEST(StlChannel, SeamsOfSinglePrecisionAreWelded) {
   const std::string pore = read_text_file(source_folder() / "scenes" / "pore.stl");
-  const std::size_t facets = read_stl_channel(StlScene(pore).read())->walls.size();
+  const std::size_t facets = read_stl_channel(StlScene(pore).read().geometry)->walls.size();
   // 580 um long: corners of one place lie up to 4e-7 of that apart.
   for (const double share : {1e-8, 1e-7, 4e-7}) {
     const StlScene file(shaken(pore, share / 2 * 580));
     const Scene scene = file.read();
-    EXPECT_EQ(read_stl_channel(scene)->walls.size(), facets) << share;
-    EXPECT_NEAR(channel_volume(scene, -4e-4, 5e-5) / channel_volume(StlScene(pore).read(), -4e-4, 5e-5), 1, 1e-5);
+    EXPECT_EQ(read_stl_channel(scene.geometry)->walls.size(), facets) << share;
+    EXPECT_NEAR(
+        channel_volume(scene.geometry, -4e-4, 5e-5) / channel_volume(StlScene(pore).read().geometry, -4e-4, 5e-5), 1,
+        1e-5);
   }
   EXPECT_THAT(StlScene(shaken(pore, 580e-6)).refused(),
               AllOf(HasSubstr("is not closed"), HasSubstr("geometry.stl_tolerance = 5.8e-10 m are not one")));
   // Wider seams need the user's word.
   const StlScene wide(shaken(pore, 0.003));
   EXPECT_THAT(wide.refused(), HasSubstr("is not closed"));
-  EXPECT_EQ(read_stl_channel(wide.read({"geometry.stl_tolerance=0.01 um"}))->walls.size(), facets);
+  EXPECT_EQ(read_stl_channel(wide.read({"geometry.stl_tolerance=0.01 um"}).geometry)->walls.size(), facets);
 }
 
 TEST(StlChannel, RefusesAToleranceThatIsNone) {
@@ -295,7 +298,8 @@ TEST(StlChannel, RefusesAToleranceThatIsNone) {
   EXPECT_THAT(file.refused({"geometry.stl_tolerance=-1 um"}), HasSubstr("must be >= 0"));
   EXPECT_THAT(file.refused({"geometry.stl_tolerance=20 um"}), HasSubstr("larger than the facets there"));
   EXPECT_THAT(file.refused({"geometry.stl_tolerance=1 m"}), HasSubstr("none is left"));
-  EXPECT_EQ(read_stl_channel(file.read({"geometry.stl_tolerance=0 m"}))->walls.size(), read_stl_channel(file.read())->walls.size());
+  EXPECT_EQ(read_stl_channel(file.read({"geometry.stl_tolerance=0 m"}).geometry)->walls.size(),
+            read_stl_channel(file.read().geometry)->walls.size());
   EXPECT_THAT(refusal([] { flow_scene({"geometry.stl_tolerance=1 um"}); }), HasSubstr("needs geometry.stl too"));
 }
 
@@ -304,25 +308,29 @@ TEST(StlChannel, LeavesOutFacetsThatSayNothing) {
   const auto [at, length] = facet(channel, "solid walls");
   std::string more = channel;
   more.insert(at, channel.substr(at, length));
-  more.insert(at, "facet normal 0 0 0\nouter loop\nvertex 0 50 0\nvertex 0 50 40\nvertex 0 50 100\nendloop\nendfacet\n");
-  const auto read = read_stl_channel(StlScene(more).read());
-  EXPECT_EQ(read->walls.size(), channel_walls(flow_scene()).size());
-  EXPECT_THAT(read->note, AllOf(HasSubstr("1 facet without area (number 1)"), HasSubstr("1 facet with the corners of another (number 3)")));
-  EXPECT_EQ(read_stl_channel(StlScene(channel).read())->note, "");
+  more.insert(at,
+              "facet normal 0 0 0\nouter loop\nvertex 0 50 0\nvertex 0 50 40\nvertex 0 50 100\nendloop\nendfacet\n");
+  const auto read = read_stl_channel(StlScene(more).read().geometry);
+  EXPECT_EQ(read->walls.size(), channel_walls(flow_scene().geometry).size());
+  EXPECT_THAT(read->note, AllOf(HasSubstr("1 facet without area (number 1)"),
+                                HasSubstr("1 facet with the corners of another (number 3)")));
+  EXPECT_EQ(read_stl_channel(StlScene(channel).read().geometry)->note, "");
 }
 
 TEST(StlChannel, MeasuresTheNeckAndPutsThePassagePlaneInIt) {
   // The neck is as long as the file says, whatever its width.
-  const Scene short_neck = StlScene(channel_stl(flow_scene({"geometry.neck_length=40 um"}), 1e-6)).read();
+  const Scene short_neck = StlScene(channel_stl(flow_scene({"geometry.neck_length=40 um"}).geometry, 1e-6)).read();
   EXPECT_NEAR(short_neck.geometry.neck_length, 40e-6, 1e-10);
   EXPECT_NEAR(short_neck.passages.plane, 20e-6, 1e-10);
   const StlScene widening(channel_stl(
-      flow_scene({"geometry.neck_length=70 um", "geometry.expansion_width=200 um", "geometry.expansion_length=100 um"}), 1e-6));
+      flow_scene({"geometry.neck_length=70 um", "geometry.expansion_width=200 um", "geometry.expansion_length=100 um"})
+          .geometry,
+      1e-6));
   const Scene scene = widening.read();
   // A section 1 % wider than the neck lies 0.3 um behind its end.
   EXPECT_NEAR(scene.geometry.neck_length, 70e-6, 0.5e-6);
   EXPECT_NEAR(scene.passages.plane, 35e-6, 0.25e-6);
-  EXPECT_GT(channel_end(scene), 170e-6);
+  EXPECT_GT(channel_end(scene.geometry), 170e-6);
   for (const char* plane : {"-1.2 mm", "0.3 mm"})
     EXPECT_THAT(widening.refused({fmt::format("passages.plane={}", plane)}),
                 AllOf(HasSubstr("passages.plane"), HasSubstr("must be in the channel, from ")));
@@ -331,7 +339,7 @@ TEST(StlChannel, MeasuresTheNeckAndPutsThePassagePlaneInIt) {
 
 TEST(StlChannel, ShippedPore) {
   const Scene scene = read_scene(source_folder() / "scenes" / "pore.toml");
-  const StlChannel pore = *read_stl_channel(scene);
+  const StlChannel pore = *read_stl_channel(scene.geometry);
   EXPECT_NEAR(pore.width, 3e-4, 1e-9);
   EXPECT_NEAR(pore.straight_end, -1.8e-4, 2e-6);
   // A square of 100 um with four corners of 30 um, each quarter circle four chords:
@@ -341,4 +349,4 @@ TEST(StlChannel, ShippedPore) {
 }
 
 }  // namespace
-}  // namespace clog
+}  // namespace clogflow

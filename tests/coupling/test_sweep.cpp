@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include "coupling/sweep.hpp"
+#include "coupling/scene/sweep.hpp"
 #include "tests/coupling/refusal.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 using testing::ElementsAre;
@@ -28,11 +28,10 @@ TEST(Sweep, OfNothingIsOnePointInNoFolder) {
 }
 
 TEST(Sweep, RefusesWhatIsNone) {
-  const auto said = [](const std::vector<std::string>& sweeps) {
-    return refusal([&] { sweep_points(sweeps); });
-  };
+  const auto said = [](const std::vector<std::string>& sweeps) { return refusal([&] { sweep_points(sweeps); }); };
   EXPECT_THAT(said({"particles.diameter"}), HasSubstr("(write key=value,value"));
-  EXPECT_THAT(said({"particles.diametre=1 um"}), HasSubstr("(unknown key; the nearest known key is particles.diameter)"));
+  EXPECT_THAT(said({"particles.diametre=1 um"}),
+              HasSubstr("(unknown key; the nearest known key is particles.diameter)"));
   EXPECT_THAT(said({"particles.diameter=1 um,,2 um"}), HasSubstr("(\"\" is no single value"));
   EXPECT_THAT(said({"body_force=[1 N,0 N,0 N]"}), HasSubstr("(\"[1 N\" is no single value"));
   EXPECT_THAT(said({"time.mass_scale=1,1"}), HasSubstr("(1 is given twice)"));
@@ -41,8 +40,9 @@ TEST(Sweep, RefusesWhatIsNone) {
   EXPECT_THAT(said({"particles.diameter=1 um,1um"}), HasSubstr("two points have one folder, particles.diameter=1um"));
   std::string values = "1";
   for (int k = 2; k <= 400; ++k) values += fmt::format(",{}", k);
-  EXPECT_THAT(said({fmt::format("time.mass_scale={}", values), fmt::format("contact.restitution={}", values)}), HasSubstr("(more than 100000 points)"));
+  EXPECT_THAT(said({fmt::format("time.mass_scale={}", values), fmt::format("contact.restitution={}", values)}),
+              HasSubstr("(more than 100000 points)"));
 }
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

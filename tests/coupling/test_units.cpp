@@ -6,10 +6,10 @@
 
 #include <gmock/gmock.h>
 
-#include "coupling/units.hpp"
+#include "coupling/base/units.hpp"
 #include "tests/coupling/refusal.hpp"
 
-namespace clog {
+namespace clogflow {
 namespace {
 
 using testing::HasSubstr;
@@ -84,13 +84,11 @@ TEST(Units, Angles) {
 }
 
 TEST(Units, FormattedTextReadsBackToTheSameBits) {
-  const Dimension dimensions[] = {dimension::number, dimension::length,   dimension::time,
-                                  dimension::rate,   dimension::velocity, dimension::density,
-                                  dimension::force,  dimension::pressure, dimension::viscosity,
-                                  {2, 1, -2},        {1, 0, -2},          {0, 2, 3}};
+  const Dimension dimensions[] = {dimension::number,    dimension::length,  dimension::time,  dimension::rate,
+                                  dimension::velocity,  dimension::density, dimension::force, dimension::pressure,
+                                  dimension::viscosity, {2, 1, -2},         {1, 0, -2},       {0, 2, 3}};
   for (const Dimension d : dimensions)
-    for (const double value :
-         {0.0, 1.0, -1.0 / 3.0, 33e-6, 1e-300, 1.7976931348623157e308, 0.1 + 0.2}) {
+    for (const double value : {0.0, 1.0, -1.0 / 3.0, 33e-6, 1e-300, 1.7976931348623157e308, 0.1 + 0.2}) {
       const Quantity quantity = parse_quantity(format_quantity(value, d));
       EXPECT_EQ(quantity.si, value) << format_quantity(value, d);
       EXPECT_EQ(quantity.dimension, d) << format_quantity(value, d);
@@ -101,26 +99,17 @@ TEST(Units, FormattedTextReadsBackToTheSameBits) {
 
 TEST(Units, ArePrintedAsPeopleWriteThem) {
   const std::pair<const char*, Quantity> examples[] = {
-      {"33 um", {3.3e-5, dimension::length, false}},
-      {"1.65 um", {1.65e-6, dimension::length, false}},
-      {"100 um", {1e-4, dimension::length, false}},
-      {"1 mm", {1e-3, dimension::length, false}},
-      {"2500 m", {2.5e3, dimension::length, false}},
-      {"-50 um", {-5e-5, dimension::length, false}},
-      {"0 m", {0, dimension::length, false}},
-      {"500 ms", {0.5, dimension::time, false}},
-      {"1.5 s", {1.5, dimension::time, false}},
-      {"5 mm/s", {5e-3, dimension::velocity, false}},
-      {"3 MPa", {3e6, dimension::pressure, false}},
-      {"1.8 mPa s", {1.8e-3, dimension::viscosity, false}},
-      {"1 nN", {1e-9, dimension::force, false}},
-      {"1062 kg/m3", {1062, dimension::density, false}},
-      {"50 1/s", {50, dimension::rate, false}},
-      {"1e-300 m", {1e-300, dimension::length, false}},
+      {"33 um", {3.3e-5, dimension::length, false}}, {"1.65 um", {1.65e-6, dimension::length, false}},
+      {"100 um", {1e-4, dimension::length, false}},  {"1 mm", {1e-3, dimension::length, false}},
+      {"2500 m", {2.5e3, dimension::length, false}}, {"-50 um", {-5e-5, dimension::length, false}},
+      {"0 m", {0, dimension::length, false}},        {"500 ms", {0.5, dimension::time, false}},
+      {"1.5 s", {1.5, dimension::time, false}},      {"5 mm/s", {5e-3, dimension::velocity, false}},
+      {"3 MPa", {3e6, dimension::pressure, false}},  {"1.8 mPa s", {1.8e-3, dimension::viscosity, false}},
+      {"1 nN", {1e-9, dimension::force, false}},     {"1062 kg/m3", {1062, dimension::density, false}},
+      {"50 1/s", {50, dimension::rate, false}},      {"1e-300 m", {1e-300, dimension::length, false}},
       {"9.81 m s-2", {9.81, {1, 0, -2}, false}},
   };
-  for (const auto& [text, quantity] : examples)
-    EXPECT_EQ(format_quantity(quantity.si, quantity.dimension), text);
+  for (const auto& [text, quantity] : examples) EXPECT_EQ(format_quantity(quantity.si, quantity.dimension), text);
   EXPECT_EQ(format_angle(std::numbers::pi / 3), "60 deg");
   EXPECT_EQ(format_angle(parse_quantity("22.5 deg").si), "22.5 deg");
   EXPECT_EQ(format_angle(parse_quantity("1 rad").si), format_angle(1));
@@ -174,4 +163,4 @@ TEST(Units, RefusalsSayWhy) {
 }
 
 }  // namespace
-}  // namespace clog
+}  // namespace clogflow

@@ -1,11 +1,11 @@
 // The paper's channel with a made-up flow, cheap: heavy particles, a large step.
 #pragma once
 
-#include "coupling/source_folder.hpp"
+#include "coupling/base/source_folder.hpp"
 #include "tests/dem/laboratory.hpp"
 #include "tests/dem/synthetic_flow.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 
 /// The shipped scene with the numerics that cost a fifth: mass x 10, moment of inertia x 5 more, twice
 /// the step.
@@ -26,9 +26,9 @@ inline double deepest_pair(const Particles& p) {
   double deepest = 0;
   for (std::size_t i = 0; i < p.size(); ++i)
     for (std::size_t j = i + 1; j < p.size(); ++j)
-      deepest = std::max(deepest, p[i].radius + p[j].radius -
-                                      std::hypot(p[i].x - p[j].x, p[i].y - p[j].y, p[i].z - p[j].z));
+      deepest =
+          std::max(deepest, p[i].radius + p[j].radius - std::hypot(p[i].x - p[j].x, p[i].y - p[j].y, p[i].z - p[j].z));
   return deepest / (2 * p[0].radius);
 }
 
-}  // namespace clog::test
+}  // namespace clogflow::test

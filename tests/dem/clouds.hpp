@@ -8,7 +8,7 @@
 #include "tests/dem/laboratory.hpp"
 #include "tests/test_data.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 
 /// Diameter of the pack's spheres, and of the cloud's largest [m].
 inline constexpr double crowd_diameter = 33e-6;
@@ -49,8 +49,7 @@ inline std::vector<Particle> polydisperse_cloud(double speed) {
     const double size = 8 * crowd_diameter;
     p.x = size * share(random), p.y = size * share(random), p.z = size * share(random);
     const bool deep = std::ranges::any_of(cloud, [&](const Particle& q) {
-      return std::hypot(p.x - q.x, p.y - q.y, p.z - q.z) <
-             p.radius + q.radius - 0.02 * std::min(p.radius, q.radius);
+      return std::hypot(p.x - q.x, p.y - q.y, p.z - q.z) < p.radius + q.radius - 0.02 * std::min(p.radius, q.radius);
     });
     if (!deep) cloud.push_back(p);
   }
@@ -70,4 +69,4 @@ inline Scene crowd_scene(double step) {
   return s;
 }
 
-}  // namespace clog::test
+}  // namespace clogflow::test

@@ -9,12 +9,12 @@
 
 #include <fmt/format.h>
 
-#include "coupling/require.hpp"
-#include "coupling/scene.hpp"
-#include "dem/simulation.hpp"
+#include "coupling/base/require.hpp"
+#include "coupling/scene/scene.hpp"
+#include "dem/run/simulation.hpp"
 #include "tests/scratch.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 
 /// What a scene of the laboratory cannot do without.
 struct Substance {
@@ -36,7 +36,9 @@ poisson_ratio = {}
 [time]
 end = "1 s"
 step = "{} s"
-)", s.diameter, s.density, s.youngs_modulus, s.poisson_ratio, step), "laboratory");
+)",
+                                        s.diameter, s.density, s.youngs_modulus, s.poisson_ratio, step),
+                            "laboratory");
   scene.contact.restitution = 1;
   return scene;
 }
@@ -72,8 +74,7 @@ private:
 inline std::string as_csv(const std::vector<Particle>& particles) {
   std::string text = "x,y,z,radius,vx,vy,vz,wx,wy,wz\n";
   for (const Particle& p : particles)
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", p.x, p.y, p.z, p.radius, p.vx, p.vy, p.vz,
-                        p.wx, p.wy, p.wz);
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", p.x, p.y, p.z, p.radius, p.vx, p.vy, p.vz, p.wx, p.wy, p.wz);
   return text;
 }
 
@@ -81,8 +82,7 @@ inline std::string as_csv(const std::vector<Particle>& particles) {
 class Laboratory {
 public:
   Laboratory(Scene scene, const std::vector<Particle>& particles, const FlowGrid* flow = nullptr)
-      : file_(as_csv(particles)),
-        simulation_((scene.particles.initial = file_.name(), scene), flow, 1) {}
+      : file_(as_csv(particles)), simulation_((scene.particles.initial = file_.name(), scene), flow, 1) {}
 
   Simulation& operator*() { return simulation_; }
   Simulation* operator->() { return &simulation_; }
@@ -121,4 +121,4 @@ private:
   Simulation simulation_;
 };
 
-}  // namespace clog::test
+}  // namespace clogflow::test

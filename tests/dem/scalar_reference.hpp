@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "dem/physics/lubrication.hpp"
-#include "dem/simulation.hpp"
+#include "dem/run/simulation.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 
 struct Loads {
   std::vector<Vector<double>> force, torque;  ///< in order of id
@@ -52,8 +52,8 @@ private:
   static Vector<double> velocity(const Particles& p, int i) { return {p[i].vx, p[i].vy, p[i].vz}; }
   static Vector<double> spin(const Particles& p, int i) { return {p[i].wx, p[i].wy, p[i].wz}; }
 
-  void pair(const Model& model, const Particles& p, const std::pair<int, int>& id,
-            const std::pair<int, int>& at, double dt, Touching& touching, Loads& sum) {
+  void pair(const Model& model, const Particles& p, const std::pair<int, int>& id, const std::pair<int, int>& at,
+            double dt, Touching& touching, Loads& sum) {
     const auto [i, j] = at;
     const Vector<double> apart = place(p, i) - place(p, j);
     const double distance = std::sqrt(dot(apart, apart));
@@ -65,14 +65,18 @@ private:
     if (gap < 0) {
       ++sum.contacts;
       Springs<double> springs = remembered(id);
-      const ContactGeometry<double> g{normal, -gap, radius, p[i].mass * p[j].mass / (p[i].mass + p[j].mass),
-                                      p[i].radius + gap / 2, p[j].radius + gap / 2};
-      const auto loads = model.pair_law.loads(g, {moves, spin(p, i), spin(p, j)}, dt, springs);
+      const ContactGeometry<double> g{normal,
+                                      -gap,
+                                      radius,
+                                      p[i].mass * p[j].mass / (p[i].mass + p[j].mass),
+                                      p[i].radius + gap / 2,
+                                      p[j].radius + gap / 2};
+      const auto loads = model.laws.pair.loads(g, {moves, spin(p, i), spin(p, j)}, dt, springs);
       touching[id] = springs;
       force = loads.force;
       sum.torque[id.first] = sum.torque[id.first] + loads.torque_i;
       sum.torque[id.second] = sum.torque[id.second] + loads.torque_j;
-    } else if (const auto& film = model.lubrication;
+    } else if (const auto& film = model.laws.film;
                film.viscosity > 0 && gap <= film.farthest && (film.clamp || gap >= film.nearest)) {
       ++sum.films;
       const double c = lubrication_coefficient(film.viscosity, radius, std::max(gap, film.nearest));
@@ -87,17 +91,16 @@ private:
     for (int wall = 0; wall < 6; ++wall) {
       const int axis = wall / 2;
       const bool upper = wall % 2;
-      const double height = upper ? model.scene.box.max[axis] - centre[axis]
-                                  : centre[axis] - model.scene.box.min[axis];
+      const double height = upper ? model.scene.box.max[axis] - centre[axis] : centre[axis] - model.scene.box.min[axis];
       const double overlap = p[i].radius - height;
       if (overlap <= 0) continue;
       ++sum.wall_contacts;
       double n[3] = {0, 0, 0};
       n[axis] = upper ? -1 : 1;
       Springs<double> springs = remembered({-1 - wall, id});
-      const ContactGeometry<double> g{{n[0], n[1], n[2]}, overlap, p[i].radius, p[i].mass,
+      const ContactGeometry<double> g{{n[0], n[1], n[2]},        overlap, p[i].radius, p[i].mass,
                                       p[i].radius - overlap / 2, 0};
-      const auto loads = model.wall_laws.contact.loads(g, {velocity(p, i), spin(p, i), {0, 0, 0}}, dt, springs);
+      const auto loads = model.laws.wall.contact.loads(g, {velocity(p, i), spin(p, i), {0, 0, 0}}, dt, springs);
       touching[{-1 - wall, id}] = springs;
       sum.force[id] = sum.force[id] + loads.force;
       sum.torque[id] = sum.torque[id] + loads.torque_i;
@@ -107,4 +110,4 @@ private:
   Touching springs_;
 };
 
-}  // namespace clog::test
+}  // namespace clogflow::test

@@ -7,7 +7,7 @@
 #include "tests/dem/clouds.hpp"
 #include "tests/dem/scalar_reference.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 constexpr double d = crowd_diameter;
@@ -52,8 +52,7 @@ bool has(const char* isa) {
 class AgainstScalar : public testing::TestWithParam<const char*> {};
 
 /// Overlaps of a pack are 1e-2 to 1e-4 of the coordinates, so their last digits are 1e-12 of the force.
-void compare(const Scene& scene, const std::vector<Particle>& particles, int steps,
-             double rounding = 1e-11) {
+void compare(const Scene& scene, const std::vector<Particle>& particles, int steps, double rounding = 1e-11) {
   Laboratory lab(scene, particles);
   ScalarReference reference;
   for (int k = 0; k < steps; ++k) {
@@ -122,4 +121,4 @@ TEST(SelectKernels, RefusesAnUnknownInstructionSet) {
 }
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

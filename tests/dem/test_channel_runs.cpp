@@ -2,10 +2,10 @@
 // same bits from the same seed. Slow: labelled so.
 #include <gtest/gtest.h>
 
-#include "dem/quantile.hpp"
+#include "coupling/base/quantile.hpp"
 #include "tests/dem/channel_scene.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 struct Filled {
@@ -42,18 +42,17 @@ TEST(FilledStart, ReachesThePapersSixtyLargeParticles) {
 }
 
 double slow_share(const Particles& p, double speed) {
-  const auto slow = std::ranges::count_if(p.states, [&](const ParticleState& s) {
-    return std::hypot(s.vx, s.vy, s.vz) < speed;
-  });
+  const auto slow =
+      std::ranges::count_if(p.states, [&](const ParticleState& s) { return std::hypot(s.vx, s.vy, s.vz) < speed; });
   return static_cast<double>(slow) / static_cast<double>(p.size());
 }
 
 TEST(ClogWithoutRelease, ComesToRestAndStays) {
   // D/d = 2 clogs at once. tau/50 and true masses: rest must not be an effect of cheap numerics.
-  const Scene scene = cheap_paper_scene(
-      {"particles.diameter=50 um", "geometry.channel_length=300 um", "time.mass_scale=1",
-       "time.rotational_inertia_scale=1", "time.step_fraction=0.02", "unclog.protocol=none",
-       "time.end=0.4 s", "output.snapshot_interval=0 s"});
+  const Scene scene =
+      cheap_paper_scene({"particles.diameter=50 um", "geometry.channel_length=300 um", "time.mass_scale=1",
+                         "time.rotational_inertia_scale=1", "time.step_fraction=0.02", "unclog.protocol=none",
+                         "time.end=0.4 s", "output.snapshot_interval=0 s"});
   const FlowGrid grid = synthetic_flow(scene);
   Simulation simulation(scene, &grid, 2);
   const RunData run = simulation.run();
@@ -98,4 +97,4 @@ TEST(Run, DissipatesWhatTheFlowPutsInAndNeverGains) {
 }
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

@@ -1,9 +1,9 @@
 // The release protocol as a machine of states, fed with made-up times and clogs.
 #include <gtest/gtest.h>
 
-#include "dem/clog_watch.hpp"
+#include "dem/run/clog_watch.hpp"
 
-namespace clog {
+namespace clogflow {
 namespace {
 
 using Action = ClogWatch::Action;
@@ -29,7 +29,8 @@ after = "30 ms"
 duration = "2 ms"
 [time]
 end = "1 s"
-)", "release");
+)",
+                     "release");
 }
 
 const auto at_rest = [] { return ClogState{0, 0, 0}; };
@@ -78,9 +79,9 @@ TEST(ClogState, SeesOnlyWhatIsNearTheNeckAndNotARattler) {
   Particles p;
   const auto add = [&](double x, double speed) { p.add({.radius = 16e-6, .x = x, .vx = speed}); };
   for (int k = 0; k < 19; ++k) add(-1e-5 * k, 1e-7);
-  add(-2e-5, 3e-3);    // a rattler
-  add(-8e-4, 5e-3);    // far upstream: the refilling does not matter
-  add(9e-5, 2e-2);     // has passed
+  add(-2e-5, 3e-3);  // a rattler
+  add(-8e-4, 5e-3);  // far upstream: the refilling does not matter
+  add(9e-5, 2e-2);   // has passed
   const ClogState state = clog_state(p, release_scene());
   EXPECT_EQ(state.quantile_speed, 1e-7);
   EXPECT_EQ(state.largest_speed, 3e-3);
@@ -90,4 +91,4 @@ TEST(ClogState, SeesOnlyWhatIsNearTheNeckAndNotARattler) {
 TEST(ClogState, OfNothingIsAtRest) { EXPECT_EQ(clog_state({}, release_scene()).quantile_speed, 0); }
 
 }  // namespace
-}  // namespace clog
+}  // namespace clogflow

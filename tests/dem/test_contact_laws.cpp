@@ -5,7 +5,7 @@
 
 #include "dem/physics/contact_laws.hpp"
 
-namespace clog {
+namespace clogflow {
 namespace {
 
 using V = Vector<double>;
@@ -21,9 +21,9 @@ TEST(Hertz, StiffnessAndForce) {
 }
 
 TEST(Hertz, ForceIsNeverAttractive) {
-  EXPECT_EQ(normal_force(1.0, 10.0, 1.0), 0.0);   // flying apart fast
+  EXPECT_EQ(normal_force(1.0, 10.0, 1.0), 0.0);  // flying apart fast
   EXPECT_EQ(normal_force(1.0, 10.0, 0.1), 0.0);
-  EXPECT_EQ(normal_force(1.0, 10.0, -1.0), 11.0); // approaching
+  EXPECT_EQ(normal_force(1.0, 10.0, -1.0), 11.0);  // approaching
 }
 
 TEST(Mindlin, Stiffness) {
@@ -76,8 +76,8 @@ TEST(SpringSlider, SlipsAtTheLimitAgainstTheMotion) {
 
 TEST(SpringSlider, DashpotNeverLiftsFrictionAboveTheLimit) {
   for (const double speed : {-1e3, -1.0, 0.0, 1.0, 1e3}) {
-    const auto [spring, force] = spring_slider(V{0.1, 0, 0}, V{speed, speed, 0},
-                                               Slider{.stiffness = 10, .dashpot = 7, .limit = 5, .dt = 1e-3});
+    const auto [spring, force] =
+        spring_slider(V{0.1, 0, 0}, V{speed, speed, 0}, Slider{.stiffness = 10, .dashpot = 7, .limit = 5, .dt = 1e-3});
     EXPECT_LE(norm(force), 5 * (1 + 1e-15));
     const auto along = spring_slider(0.1, speed, Slider{.stiffness = 10, .dashpot = 7, .limit = 5, .dt = 1e-3});
     EXPECT_LE(std::abs(along.force), 5);
@@ -100,8 +100,7 @@ TEST(SpringSlider, HasNoLengthOfItsOwn) {
     for (double scale = 1e-12; scale <= 1; scale *= 10) {
       const Slider p{10, 0.1, limit * scale, 0.01};
       const auto small = spring_slider(scale * V{0.3, -0.2, 0.1}, scale * V{5, 1, 2}, p);
-      const auto one = spring_slider(V{0.3, -0.2, 0.1}, V{5, 1, 2},
-                                     Slider{10, 0.1, limit, 0.01});
+      const auto one = spring_slider(V{0.3, -0.2, 0.1}, V{5, 1, 2}, Slider{10, 0.1, limit, 0.01});
       EXPECT_NEAR(small.spring.x / scale, one.spring.x, 1e-14);
       EXPECT_NEAR(small.force.y / scale, one.force.y, 1e-13);
     }
@@ -121,8 +120,8 @@ TEST(RollingAndTorsion, MeasureTheRightSpins) {
   EXPECT_EQ(torsion_torque(0.5, 2.0), 2.0);
 }
 
-constexpr Hertz hertz{.modulus = 2e6, .shear_modulus = 5e5, .tangential_factor = 2.0 / 3, .gamma = 0.4,
-                      .tangential_damping = 0.6};
+constexpr Hertz hertz{
+    .modulus = 2e6, .shear_modulus = 5e5, .tangential_factor = 2.0 / 3, .gamma = 0.4, .tangential_damping = 0.6};
 constexpr FrictionLaw rough{.sliding = 0.6, .rolling = 0.5, .torsion = 0.4};
 
 ContactGeometry<double> geometry(const V& normal) {
@@ -154,7 +153,8 @@ TEST(ContactLoads, GiveNoAngularMomentum) {
   const V n{0, 0.6, 0.8};
   Springs<double> s{{1e-9, 0, 0}, {1e-9, 0, 0}, 1e-10};
   const auto g = geometry(n);
-  const auto loads = contact_loads<LudingTurning, all>(hertz, rough, g, {{1e-3, 0, 2e-3}, {1, 2, 3}, {30, 20, 10}}, 1e-6, s);
+  const auto loads =
+      contact_loads<LudingTurning, all>(hertz, rough, g, {{1e-3, 0, 2e-3}, {1, 2, 3}, {30, 20, 10}}, 1e-6, s);
   const V orbital = cross((g.arm_i + g.arm_j) * n, loads.force);
   EXPECT_LT(norm(loads.torque_i + loads.torque_j + orbital), 1e-13 * norm(loads.torque_i));
 }
@@ -179,8 +179,8 @@ TEST(ContactLoads, TurnWithTheFrame) {
   Springs<double> s{{1e-9, 2e-9, 0}, {0, 1e-9, 1e-9}, 1e-9};
   Springs<double> t{turn(s.sliding), turn(s.rolling), s.torsion};
   const auto here = contact_loads<LudingTurning, all>(hertz, rough, geometry(n), m, 1e-6, s);
-  const auto there = contact_loads<LudingTurning, all>(
-      hertz, rough, geometry(turn(n)), {turn(m.velocity), turn(m.spin_i), turn(m.spin_j)}, 1e-6, t);
+  const auto there = contact_loads<LudingTurning, all>(hertz, rough, geometry(turn(n)),
+                                                       {turn(m.velocity), turn(m.spin_i), turn(m.spin_j)}, 1e-6, t);
   EXPECT_LT(norm(turn(here.force) - there.force), 1e-14 * norm(here.force));
   EXPECT_LT(norm(turn(here.torque_i) - there.torque_i), 1e-14 * norm(here.torque_i));
 }
@@ -206,4 +206,4 @@ TEST(StoredEnergy, OfHertzAndSprings) {
 }
 
 }  // namespace
-}  // namespace clog
+}  // namespace clogflow

@@ -4,11 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include "coupling/stl.hpp"
+#include "coupling/geometry/stl.hpp"
 #include "tests/dem/laboratory.hpp"
 #include "tests/dem/wall_shapes.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 using std::numbers::pi;
@@ -79,8 +79,7 @@ TEST_P(RoundPore, GivesTheRestitutionOfAPlaneWhateverItsFacets) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Over, RoundPore,
-                         testing::Values(Pore{1.05, 5e-3}, Pore{18 / 16.5, 5e-3},
-                                         Pore{18 / 16.5, 0.1}, Pore{3, 5e-3}));
+                         testing::Values(Pore{1.05, 5e-3}, Pore{18 / 16.5, 5e-3}, Pore{18 / 16.5, 0.1}, Pore{3, 5e-3}));
 
 TEST(RoundPore, KeepsTheEnergyOfAnElasticBounce) {
   // Slanting, at and beside the edge between two facets.
@@ -91,11 +90,9 @@ TEST(RoundPore, KeepsTheEnergyOfAnElasticBounce) {
       Scene scene = scene_of(stl.name(), 1e-8);
       scene.contact.restitution = 1;
       const Vec3 from = 1.45e-6 * way + beside * side, v = 6e-3 * way + 2e-3 * side;
-      Laboratory lab(scene,
-                     {{.radius = r, .x = from.x(), .z = from.z(), .vx = v.x(), .vz = v.z()}});
+      Laboratory lab(scene, {{.radius = r, .x = from.x(), .z = from.z(), .vx = v.x(), .vz = v.z()}});
       drop(lab);
-      EXPECT_NEAR(lab.velocity(0).squaredNorm() / v.squaredNorm(), 1, 0.02)
-          << facets << " facets, beside " << beside;
+      EXPECT_NEAR(lab.velocity(0).squaredNorm() / v.squaredNorm(), 1, 0.02) << facets << " facets, beside " << beside;
     }
   }
 }
@@ -120,8 +117,8 @@ TEST_P(TurnedPlate, InThePlaneOfAnotherWallCountsOnce) {
 }
 
 INSTANTIATE_TEST_SUITE_P(At, TurnedPlate,
-                         testing::Values(Vec3(0, 0, 0), Vec3(34e-6, 18e-6, 0),
-                                         Vec3(38e-6, 18e-6, 0), Vec3(4e-6, 28e-6, 0)));
+                         testing::Values(Vec3(0, 0, 0), Vec3(34e-6, 18e-6, 0), Vec3(38e-6, 18e-6, 0),
+                                         Vec3(4e-6, 28e-6, 0)));
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

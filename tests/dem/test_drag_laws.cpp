@@ -3,17 +3,15 @@
 
 #include <gmock/gmock.h>
 
-#include "coupling/scene_keys.hpp"
+#include "coupling/scene/scene_keys.hpp"
 #include "dem/physics/drag_law.hpp"
 #include "tests/coupling/refusal.hpp"
 #include "tests/dem/laboratory.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
-TEST(DragLaws, StokesKnowsNoNeighbours) {
-  EXPECT_EQ(find_drag_law("stokes").factor({0.4, 3}), 1);
-}
+TEST(DragLaws, StokesKnowsNoNeighbours) { EXPECT_EQ(find_drag_law("stokes").factor({0.4, 3}), 1); }
 
 TEST(DragLaws, BeetstraAtRestIsHoef) {
   for (const double porosity : {0.4, 0.6, 1.0})
@@ -56,4 +54,4 @@ TEST(DragLaws, ASphereFeelsTheInertiaOfTheFluidUnderBeetstraAlone) {
 }
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

@@ -6,11 +6,11 @@
 
 #include <gmock/gmock.h>
 
+#include "ensemble/ensemble.hpp"
 #include "tests/coupling/flow_scene.hpp"
-#include "dem/ensemble.hpp"
 #include "tests/dem/channel_scene.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 using testing::HasSubstr;
@@ -103,11 +103,13 @@ TEST_F(EnsembleFiles, FinishedSeedsAreSkipped) {
   // A file of another scene in the same folder is not taken for this one.
   const Outcome other = run("", "out", "--seeds 2 --set time.end='5 ms'");
   EXPECT_NE(other.status, 0);
-  EXPECT_THAT(other.text, HasSubstr("run_0002.h5: is longer than what is asked for (time.end = \"0.006 s\", now \"0.005 s\"): give another --out"));
+  EXPECT_THAT(other.text, HasSubstr("run_0002.h5: is longer than what is asked for (time.end = \"0.006 s\", now "
+                                    "\"0.005 s\"): give another --out"));
 }
 
 TEST_F(EnsembleFiles, ASweepHasAFolderForEachPointWithTheFilesOfAPlainRun) {
-  const std::string sweep = "--seeds 1-2 --sweep 'contact.friction.rolling=0.3,0.6' --sweep 'particles.diameter = 70 um, 80 um'";
+  const std::string sweep =
+      "--seeds 1-2 --sweep 'contact.friction.rolling=0.3,0.6' --sweep 'particles.diameter = 70 um, 80 um'";
   const Outcome swept = run(mpirun(2), "sweep", sweep);
   ASSERT_EQ(swept.status, 0) << swept.text;
   EXPECT_THAT(swept.text, HasSubstr("contact.friction.rolling=0.3,particles.diameter=80um, seed 2: "));
@@ -119,8 +121,10 @@ TEST_F(EnsembleFiles, ASweepHasAFolderForEachPointWithTheFilesOfAPlainRun) {
   EXPECT_TRUE(std::filesystem::exists(folder_.path() / "sweep" /
                                       "contact.friction.rolling=0.6,particles.diameter=70um" / run_file_name(1)));
   // A sweep of the scene does the same; what is wrong with a point is said with its name.
-  EXPECT_THAT(run("", "sweep", "--seeds 1-2 --set 'ensemble.sweep=[\"contact.friction.rolling=0.3,0.6\", "
-                               "\"particles.diameter=70 um,80 um\"]'").text,
+  EXPECT_THAT(run("", "sweep",
+                  "--seeds 1-2 --set 'ensemble.sweep=[\"contact.friction.rolling=0.3,0.6\", "
+                  "\"particles.diameter=70 um,80 um\"]'")
+                  .text,
               HasSubstr("particles.diameter=80um, seed 2: already done"));
   const Outcome wrong = run("", "wrong", "--sweep 'particles.diameter=80 um,80 m'");
   EXPECT_NE(wrong.status, 0);
@@ -142,8 +146,7 @@ TEST(EnsembleJobs, TheDearestComeFirst) {
 
 TEST_F(EnsembleFiles, ASeedThatFailsIsReportedOnceAndTheRestRun) {
   // A step far too long, wanted so: every seed blows up, each with its line; the status says so.
-  const Outcome broken =
-      run(mpirun(2), "broken", "--seeds 1-2 --set time.step='20 us' --set time.allow_unstable=true");
+  const Outcome broken = run(mpirun(2), "broken", "--seeds 1-2 --set time.step='20 us' --set time.allow_unstable=true");
   EXPECT_NE(broken.status, 0);
   EXPECT_THAT(broken.text, HasSubstr("2 of 2 seeds failed"));
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "broken" / run_file_name(1)));
@@ -160,4 +163,4 @@ TEST_F(EnsembleFiles, AStepTooLongForTheSceneIsSaidOnceForAllSeeds) {
 }
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

@@ -2,11 +2,11 @@
 #include <gmock/gmock.h>
 
 #include "dem/physics/lubrication.hpp"
-#include "dem/step_limit.hpp"
+#include "dem/stability/step_limit.hpp"
 #include "tests/coupling/refusal.hpp"
 #include "tests/dem/laboratory.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 using testing::HasSubstr;
@@ -50,14 +50,12 @@ Scene chain_scene(double step, Integrator integrator = Integrator::implicit_flui
 double explicit_limit(double h) { return mass() / lubrication_coefficient(eta, d / 4, h); }
 
 TEST(ImplicitFilms, TendToTheExplicitForceAsTheStepFalls) {
-  Laboratory implicit(chain_scene(1e-16), chain(8)),
-      explicit_(chain_scene(1e-16, Integrator::verlet), chain(8));
+  Laboratory implicit(chain_scene(1e-16), chain(8)), explicit_(chain_scene(1e-16, Integrator::verlet), chain(8));
   implicit->compute_forces(), explicit_->compute_forces();
   for (int k = 0; k < 8; ++k) {
     ASSERT_GT(explicit_.force(k).norm(), 0);
     // The first order in the step: dt c / m is 1e-8.
-    EXPECT_LT((implicit.force(k) - explicit_.force(k)).norm(), 1e-6 * explicit_.force(k).norm())
-        << k;
+    EXPECT_LT((implicit.force(k) - explicit_.force(k)).norm(), 1e-6 * explicit_.force(k).norm()) << k;
   }
 }
 
@@ -78,8 +76,7 @@ TEST(ImplicitFilms, SolveTheBackwardStep) {
 
 TEST(ImplicitFilms, SolveDragAndFilmsTogether) {
   // A sphere over a floor, pushed by body force and flow: (m + dt (c_d + c_w)) v' = dt (F + c_d u).
-  const double h = 1e-6, step = 1e-5, wall = lubrication_coefficient(eta, d / 2, h),
-               drag = 3 * M_PI * eta * d;
+  const double h = 1e-6, step = 1e-5, wall = lubrication_coefficient(eta, d / 2, h), drag = 3 * M_PI * eta * d;
   Scene s = film_scene(step);
   s.lubrication.walls = true;
   set_floor(s, 100 * d);
@@ -91,9 +88,7 @@ TEST(ImplicitFilms, SolveDragAndFilmsTogether) {
   lab->compute_forces();
   lab->advance();
   const double kick = step / 2;
-  EXPECT_NEAR(
-      lab.velocity(0).z() / (kick * (-1e-9 - drag * 5e-3) / (mass() + kick * (wall + drag))), 1,
-      1e-7);
+  EXPECT_NEAR(lab.velocity(0).z() / (kick * (-1e-9 - drag * 5e-3) / (mass() + kick * (wall + drag))), 1, 1e-7);
 }
 
 /// A sphere pressed on a floor by the force F through its film, inertia gone: h = h0 exp(-F t / a),
@@ -113,8 +108,7 @@ TEST(ImplicitFilms, FollowTheClosedFormFarAboveTheExplicitLimit) {
   const double steps = 200, a = 6 * M_PI * eta * d * d / 4;
   ASSERT_GT(a / 2e-11 / steps, 100 * 2 * mass() / (a / 4e-6));
   EXPECT_NEAR(pressed_gap(Integrator::implicit_fluid, steps), std::exp(-1.0), 2.0 / steps);
-  EXPECT_ANY_THROW(pressed_gap(Integrator::implicit_drag, steps))
-      << "this step must be too large without";
+  EXPECT_ANY_THROW(pressed_gap(Integrator::implicit_drag, steps)) << "this step must be too large without";
 }
 
 TEST(ImplicitFilms, NeverAddEnergyAndKeepMomentumAtAnyStep) {
@@ -162,8 +156,7 @@ TEST(ImplicitFilms, DoNotLimitTheStep) {
   EXPECT_NEAR(film, explicit_limit(1e-6), 2e-3 * film);
   Scene s = film_scene(1e-3, Integrator::implicit_drag);
   const Model model = make_model(s, nullptr, two);
-  EXPECT_THAT(refusal([&] { check_step(expected_limits(model, two), model); }),
-              HasSubstr("implicit_fluid"));
+  EXPECT_THAT(refusal([&] { check_step(expected_limits(model, two), model); }), HasSubstr("implicit_fluid"));
 }
 
 TEST(ImplicitFilms, WithAWallLimitAnExplicitStep) {
@@ -180,8 +173,7 @@ TEST(ImplicitFilms, ThatCannotBeSolvedForAreAnError) {
   Scene s = film_scene(0.5);
   s.fluid.viscosity = 1e6;
   Laboratory lab(s, chain(20));
-  EXPECT_THAT(refusal([&] { lab->compute_forces(); }),
-              HasSubstr("the fluid films could not be solved for"));
+  EXPECT_THAT(refusal([&] { lab->compute_forces(); }), HasSubstr("the fluid films could not be solved for"));
 }
 
 TEST(ImplicitFilms, LeaveANaNToTheStepThatNamesIt) {
@@ -191,4 +183,4 @@ TEST(ImplicitFilms, LeaveANaNToTheStepThatNamesIt) {
 }
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

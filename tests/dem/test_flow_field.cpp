@@ -4,14 +4,14 @@
 
 #include <gtest/gtest.h>
 
-#include "coupling/duct_flow.hpp"
-#include "coupling/lookup_error.hpp"
-#include "dem/flow_field.hpp"
-#include "dem/fluid.hpp"
-#include "dem/particles.hpp"
+#include "coupling/geometry/duct_flow.hpp"
+#include "coupling/scene/grid_spacing.hpp"
+#include "dem/fluid/flow_field.hpp"
+#include "dem/fluid/fluid.hpp"
+#include "dem/state/particles.hpp"
 #include "tests/dem/laboratory.hpp"
 
-namespace clog {
+namespace clogflow {
 namespace {
 
 Vec3 linear(const Vec3& x) { return {1 + 2 * x.x() - x.y(), 0.5 * x.z() + x.y(), 3 - x.x() + x.y() - 2 * x.z()}; }
@@ -48,7 +48,8 @@ FlowGrid duct_grid(int layers) {
   for (int k = 0; k < layers; ++k)
     for (int j = 1; j <= layers; ++j)
       for (int i = 0; i < 2; ++i)
-        grid.velocity[3 * grid.index(i, j, k)] = static_cast<float>(duct(grid.origin.y() + j * h, grid.origin.z() + k * h));
+        grid.velocity[3 * grid.index(i, j, k)] =
+            static_cast<float>(duct(grid.origin.y() + j * h, grid.origin.z() + k * h));
   return grid;
 }
 
@@ -120,8 +121,8 @@ TEST(FlowField, ManyPlacesAtOnceAsOneByOne) {
     particles.add({.id = k, .radius = 0.5 + k, .x = place(random), .y = place(random), .z = place(random)});
   const double speed_up[2] = {2, 3}, drag_per_radius[2] = {5, 7};  // of two strips that meet at x = 0
   std::vector<double> ux(37), uy(37), uz(37), drag(37);
-  FlowTask task{pointers(particles), nullptr, {}, 0, {}, -1, 1, 1, speed_up, drag_per_radius, ux.data(), uy.data(),
-                uz.data(), drag.data()};
+  FlowTask task{pointers(particles), nullptr,   {},        0,         {},         -1, 1, 1, speed_up,
+                drag_per_radius,     ux.data(), uy.data(), uz.data(), drag.data()};
   ASSERT_TRUE(field.describe(task));
   EXPECT_FALSE(FlowField(grid, Lookup::trilinear).describe(task));
   for (const Kernels* kernels : {&kernels_x86_64, &select_kernels()}) {
@@ -154,11 +155,13 @@ TEST(Fluid, EveryStripHasItsPorosity) {
     fluid.evaluate(particles);
     const double stokes = 3 * std::numbers::pi * 0.5 * 0.2;
     const Vec3 dense = at(field, {-0.5, 0, 0.75}), loose = at(field, {0.5, 0, 0.75});
-    EXPECT_NEAR(fluid.drag_force(0, {0, 0, 0}).x, 20.515 * stokes * dense.x() / 0.5, 1e-4 * 20.515 * stokes * dense.norm());
-    EXPECT_NEAR(fluid.drag_force(0, {0, 0, 0}).z, 20.515 * stokes * dense.z() / 0.5, 1e-4 * 20.515 * stokes * dense.norm());
+    EXPECT_NEAR(fluid.drag_force(0, {0, 0, 0}).x, 20.515 * stokes * dense.x() / 0.5,
+                1e-4 * 20.515 * stokes * dense.norm());
+    EXPECT_NEAR(fluid.drag_force(0, {0, 0, 0}).z, 20.515 * stokes * dense.z() / 0.5,
+                1e-4 * 20.515 * stokes * dense.norm());
     EXPECT_NEAR(fluid.drag_force(1, {0, 0, 0}).x, stokes * loose.x(), 1e-4 * stokes * loose.norm());
   }
 }
 
 }  // namespace
-}  // namespace clog
+}  // namespace clogflow

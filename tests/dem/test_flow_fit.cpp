@@ -1,13 +1,13 @@
 // A flow file that fits by its words must fit by its numbers.
 #include <gmock/gmock.h>
 
-#include "coupling/flow_flux.hpp"
-#include "dem/model.hpp"
+#include "coupling/flow/flow_flux.hpp"
+#include "dem/run/model.hpp"
 #include "tests/coupling/refusal.hpp"
 #include "tests/dem/channel_scene.hpp"
 #include "tests/dem/synthetic_flow.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 using testing::AllOf;
@@ -74,4 +74,4 @@ TEST(FlowFits, OnlyWhereAFlowIsAskedFor) {
 }
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

@@ -4,13 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include "dem/fluid/porosity_strips.hpp"
 #include "dem/physics/drag_law.hpp"
 #include "dem/physics/lubrication.hpp"
 #include "dem/physics/porosity.hpp"
 #include "dem/physics/time_step.hpp"
-#include "dem/porosity_strips.hpp"
 
-namespace clog {
+namespace clogflow {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -100,8 +100,7 @@ TEST(PorosityStrips, CutSpheresExactly) {
   strips.update(spheres({{1.0, 0.4}, {2.5, 0.3}, {1.5, 0.9}}));
   const double across = sphere_volume_below(1.5, 0.9, 1);
   EXPECT_NEAR(strips.porosity()[0], 1 - (sphere_volume(0.4) / 2 + across) / 10, 1e-14);
-  EXPECT_NEAR(strips.porosity()[1],
-              1 - (sphere_volume(0.4) / 2 + sphere_volume(0.9) - 2 * across) / 10, 1e-14);
+  EXPECT_NEAR(strips.porosity()[1], 1 - (sphere_volume(0.4) / 2 + sphere_volume(0.9) - 2 * across) / 10, 1e-14);
   EXPECT_NEAR(strips.porosity()[2], 1 - (sphere_volume(0.3) + across) / 10, 1e-14);
 }
 
@@ -111,8 +110,7 @@ TEST(PorosityStrips, LoseNothingBetweenThem) {
     PorosityStrips strips(-2, 5, std::vector<double>(count, 100.0 / count));
     strips.update(spheres({{-1, 0.9}, {0.03, 0.5}, {2.2, 1.3}, {4, 1}}));
     EXPECT_NEAR(strips.packing_fraction() * 100,
-                sphere_volume(0.9) + sphere_volume(0.5) + sphere_volume(1.3) + sphere_volume(1),
-                1e-12)
+                sphere_volume(0.9) + sphere_volume(0.5) + sphere_volume(1.3) + sphere_volume(1), 1e-12)
         << count;
   }
 }
@@ -137,4 +135,4 @@ TEST(PorosityStrips, DoNotFlipWhenASphereCrossesAnEdge) {
 }
 
 }  // namespace
-}  // namespace clog
+}  // namespace clogflow

@@ -3,13 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include "dem/counter_random.hpp"
-#include "dem/fluid_noise.hpp"
+#include "dem/fluid/fluid_noise.hpp"
 #include "dem/physics/drag.hpp"
 #include "dem/physics/ornstein_uhlenbeck.hpp"
+#include "dem/state/counter_random.hpp"
 #include "tests/dem/laboratory.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 // The three vectors that the authors of Philox publish with their library (kat_vectors).
@@ -17,8 +17,7 @@ TEST(CounterRandom, PhiloxGivesThePublishedWords) {
   using Words = std::array<std::uint32_t, 4>;
   constexpr std::uint32_t ones = 0xffffffff;
   EXPECT_EQ(philox({0, 0, 0, 0}, {0, 0}), (Words{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8}));
-  EXPECT_EQ(philox({ones, ones, ones, ones}, {ones, ones}),
-            (Words{0x408f276d, 0x41c83b0e, 0xa20bc7c6, 0x6d5451fd}));
+  EXPECT_EQ(philox({ones, ones, ones, ones}, {ones, ones}), (Words{0x408f276d, 0x41c83b0e, 0xa20bc7c6, 0x6d5451fd}));
   EXPECT_EQ(philox({0x243f6a88, 0x85a308d3, 0x13198a2e, 0x03707344}, {0xa4093822, 0x299f31d0}),
             (Words{0xd16cfe09, 0x94fdcceb, 0x5001e420, 0x24126ea1}));
 }
@@ -166,4 +165,4 @@ TEST(FluidNoise, ThePulsationScalesTheWholeFlow) {
 }
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

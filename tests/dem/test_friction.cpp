@@ -4,13 +4,18 @@
 #include "dem/physics/material_pair.hpp"
 #include "tests/dem/laboratory.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 /// Overlap at which the floor carries the load F: (3 F / (4 E* sqrt r))^(2/3).
 double resting_overlap(const Model& model, double load, double radius) {
   const Scene& s = model.scene;
-  return std::pow(3 * load / (4 * effective_modulus({s.contact.youngs_modulus, s.contact.poisson_ratio}, {s.contact.wall_youngs_modulus, s.contact.wall_poisson_ratio}) * std::sqrt(radius)), 2.0 / 3);
+  return std::pow(3 * load /
+                      (4 *
+                       effective_modulus({s.contact.youngs_modulus, s.contact.poisson_ratio},
+                                         {s.contact.wall_youngs_modulus, s.contact.wall_poisson_ratio}) *
+                       std::sqrt(radius)),
+                  2.0 / 3);
 }
 
 /// A size to test a law at: it must hold for micrometres as for metres.
@@ -42,13 +47,11 @@ protected:
   /// On the floor at its resting height, moving along x.
   Particle resting(const Scene& s) const {
     const Model model = make_model(s, nullptr, {});
-    return {.radius = radius(), .z = radius() - resting_overlap(model, GetParam().load, radius()),
-            .vx = GetParam().speed};
+    return {
+        .radius = radius(), .z = radius() - resting_overlap(model, GetParam().load, radius()), .vx = GetParam().speed};
   }
 
-  double mass() const {
-    return GetParam().substance.density * 4.0 / 3 * M_PI * std::pow(radius(), 3);
-  }
+  double mass() const { return GetParam().substance.density * 4.0 / 3 * M_PI * std::pow(radius(), 3); }
 };
 
 TEST_P(Floor, SlidingSphereEndsRollingAtFiveSevenths) {
@@ -149,4 +152,4 @@ TEST(Sphere, OnAnInclineRollsWithFiveSeventhsOfGravity) {
 }
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

@@ -1,11 +1,11 @@
 // An inlet at a full channel: nothing pops. Spheres come in where there is room, with the fluid's own velocity.
 #include <gtest/gtest.h>
 
-#include "dem/inlet.hpp"
-#include "dem/pack_estimates.hpp"
+#include "dem/run/inlet.hpp"
+#include "dem/stability/pack_estimates.hpp"
 #include "tests/dem/channel_scene.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 /// Steps for which a newcomer is watched: some ten times as long as a contact lasts.
@@ -27,7 +27,7 @@ struct Overlaps {
 
 double wall_overlap(const Scene& s, const Particles& p, std::size_t i) {
   const double r = p[i].radius, y = s.geometry.channel_width / 2, z = s.geometry.neck_height;
-  return std::max({channel_start(s) + r - p[i].x, std::abs(p[i].y) + r - y, r - p[i].z, p[i].z + r - z});
+  return std::max({channel_start(s.geometry) + r - p[i].x, std::abs(p[i].y) + r - y, r - p[i].z, p[i].z + r - z});
 }
 
 /// With all others.
@@ -40,9 +40,7 @@ double pair_overlap(const Particles& p, std::size_t i) {
   return deepest;
 }
 
-std::int64_t newest_id(const Particles& p) {
-  return p.size() == 0 ? -1 : *std::max_element(p.id.begin(), p.id.end());
-}
+std::int64_t newest_id(const Particles& p) { return p.size() == 0 ? -1 : *std::max_element(p.id.begin(), p.id.end()); }
 
 Overlaps watch(const Overrides& overrides, double duration) {
   const Scene scene = short_channel_scene(overrides);
@@ -72,8 +70,8 @@ Overlaps watch(const Overrides& overrides, double duration) {
         seen.fastest = std::max(seen.fastest, std::hypot(p[i].vx, p[i].vy, p[i].vz) / fluid);
       }
     std::erase_if(newcomers, [](const Newcomer& n) { return n.age >= first_steps; });
-    seen.pack = std::max({seen.pack, simulation.pair_tally().largest_overlap / d,
-                          simulation.wall_tally().largest_overlap / d});
+    seen.pack =
+        std::max({seen.pack, simulation.pair_tally().largest_overlap / d, simulation.wall_tally().largest_overlap / d});
     simulation.record();
     simulation.advance();
   }
@@ -84,10 +82,12 @@ class FullInlet : public testing::TestWithParam<std::tuple<const char*, const ch
 
 TEST_P(FullInlet, DoesNotPop) {
   const auto& [diameter, start] = GetParam();
-  const Overlaps seen = watch({fmt::format("particles.diameter={}", diameter), fmt::format("inlet.start={}", start), "unclog.after=3 ms"}, 40e-3);
+  const Overlaps seen =
+      watch({fmt::format("particles.diameter={}", diameter), fmt::format("inlet.start={}", start), "unclog.after=3 ms"},
+            40e-3);
   ASSERT_GT(seen.count, 2);
-  RecordProperty("overlaps", fmt::format("{} came, at insertion {:.3g}, then {:.3g}, pack {:.3g}, speed {:.3g}", seen.count, seen.inserted,
-                                         seen.first, seen.pack, seen.fastest));
+  RecordProperty("overlaps", fmt::format("{} came, at insertion {:.3g}, then {:.3g}, pack {:.3g}, speed {:.3g}",
+                                         seen.count, seen.inserted, seen.first, seen.pack, seen.fastest));
   EXPECT_LE(seen.inserted, 0);
   EXPECT_LT(seen.first, seen.pack);
   EXPECT_LT(seen.fastest, 1);
@@ -98,4 +98,4 @@ INSTANTIATE_TEST_SUITE_P(Inlet, FullInlet,
                                           testing::Values("filled", "empty")));
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

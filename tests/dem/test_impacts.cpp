@@ -3,23 +3,22 @@
 
 #include "tests/dem/laboratory.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 /// What was seen of a head-on impact.
 struct Impact {
-  double force = 0;       ///< largest [N]
-  double least = 0;       ///< smallest force while in contact, repulsive positive [N]
-  double overlap = 0;     ///< largest [m]
-  double duration = 0;    ///< [s]
+  double force = 0;     ///< largest [N]
+  double least = 0;     ///< smallest force while in contact, repulsive positive [N]
+  double overlap = 0;   ///< largest [m]
+  double duration = 0;  ///< [s]
   double restitution = 0;
 };
 
 /// Two equal spheres, each at half the closing speed.
 Impact collide(Scene scene, double speed) {
   const double r = scene.particles.diameter / 2, gap = 0.1 * speed * scene.time.step;
-  Laboratory lab(scene, {{.radius = r, .x = -r - gap, .vx = speed / 2},
-                         {.radius = r, .x = r + gap, .vx = -speed / 2}});
+  Laboratory lab(scene, {{.radius = r, .x = -r - gap, .vx = speed / 2}, {.radius = r, .x = r + gap, .vx = -speed / 2}});
   Impact impact{.least = 1e300};
   for (bool met = false;;) {
     lab->compute_forces();
@@ -98,4 +97,4 @@ TEST(WallImpact, GivesTheSameRestitution) {
 }
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

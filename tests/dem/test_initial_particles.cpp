@@ -1,12 +1,12 @@
 // The CSV of initial particles: what it may hold, and every refusal read.
 #include <gmock/gmock.h>
 
-#include "coupling/source_folder.hpp"
-#include "dem/initial_particles.hpp"
+#include "coupling/base/source_folder.hpp"
+#include "dem/state/initial_particles.hpp"
 #include "tests/coupling/refusal.hpp"
 #include "tests/dem/laboratory.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 using testing::HasSubstr;
@@ -53,7 +53,8 @@ TEST(InitialParticles, AbsentFile) {
 }
 
 TEST(InitialParticles, MassesAreTheScenes) {
-  EXPECT_THAT(message("x,y,z,mass\n1,2,3,4\n"), HasSubstr(":1: column \"mass\" (masses follow from particles.density): leave it out"));
+  EXPECT_THAT(message("x,y,z,mass\n1,2,3,4\n"),
+              HasSubstr(":1: column \"mass\" (masses follow from particles.density): leave it out"));
 }
 
 InitialParticles from_case(const std::string& name) {
@@ -76,9 +77,11 @@ TEST(InitialParticles, OfEveryDialectAreTheSame) {
 }
 
 TEST(InitialParticles, HeadersWithUnitsDiametersAndOtherSeparators) {
-  for (const char* text : {"x [um],y [um],z [um],diameter [um],vx [mm/s]\n100,50,5,33,5\n", "x_um;y_um;z_um;diameter_um;vx (mm/s)\n100;50;5;33;5\n",
-                           "# X_um Y_um Z_um radius_um vx\n100  50 5 16.5 5e-3\n", "\"x\",\"y\",\"z\",\"radius\",\"vx\"\n1e-4,5e-5,5e-6,16.5e-6,5e-3\n",
-                           "# a pack of 1\n# x,y,z,diameter,vx\nx,y,z,diameter,vx\n1e-4,5e-5,5e-6,33e-6,5e-3\n"}) {
+  for (const char* text :
+       {"x [um],y [um],z [um],diameter [um],vx [mm/s]\n100,50,5,33,5\n",
+        "x_um;y_um;z_um;diameter_um;vx (mm/s)\n100;50;5;33;5\n", "# X_um Y_um Z_um radius_um vx\n100  50 5 16.5 5e-3\n",
+        "\"x\",\"y\",\"z\",\"radius\",\"vx\"\n1e-4,5e-5,5e-6,16.5e-6,5e-3\n",
+        "# a pack of 1\n# x,y,z,diameter,vx\nx,y,z,diameter,vx\n1e-4,5e-5,5e-6,33e-6,5e-3\n"}) {
     const auto p = read(text);
     ASSERT_EQ(p.size(), 1u) << text;
     EXPECT_EQ(p[0].x, 100e-6) << text;
@@ -96,12 +99,16 @@ TEST(InitialParticles, ColumnsThatSayNothingAreNamed) {
 
 TEST(InitialParticles, EachCoordinateIsThereOnce) {
   EXPECT_THAT(refusal([] { from_case("no_y.csv"); }), HasSubstr("no_y.csv:1: there is no column y"));
-  EXPECT_THAT(refusal([] { from_case("dup_col.csv"); }), HasSubstr("dup_col.csv:1: column \"x\" says again what another column says"));
+  EXPECT_THAT(refusal([] { from_case("dup_col.csv"); }),
+              HasSubstr("dup_col.csv:1: column \"x\" says again what another column says"));
   EXPECT_THAT(message("x,y,z,radius,diameter\n1,2,3,4,8\n"), HasSubstr("column \"diameter\" says again"));
-  EXPECT_THAT(message("x [um],y,z\n1,2,3\n"), HasSubstr("x is in \"um\" and y in \"m\": give all coordinates in one unit"));
-  EXPECT_THAT(message("x [s],y [s],z [s]\n1,2,3\n"), HasSubstr(":1: column \"x\" has the unit \"s\" (must be that of a length)"));
+  EXPECT_THAT(message("x [um],y,z\n1,2,3\n"),
+              HasSubstr("x is in \"um\" and y in \"m\": give all coordinates in one unit"));
+  EXPECT_THAT(message("x [s],y [s],z [s]\n1,2,3\n"),
+              HasSubstr(":1: column \"x\" has the unit \"s\" (must be that of a length)"));
   EXPECT_THAT(message("1,2,3\n4,5,6\n"), HasSubstr(":1: there is no column x"));
-  EXPECT_THAT(message("x;y;z\n1,5;2;3\n"), HasSubstr(":2: \"1,5\" is not a finite number (decimals are written with a point)"));
+  EXPECT_THAT(message("x;y;z\n1,5;2;3\n"),
+              HasSubstr(":2: \"1,5\" is not a finite number (decimals are written with a point)"));
 }
 
 /// What a simulation of a scene of tests/reference/cases says of its particles.
@@ -112,34 +119,58 @@ std::string placement(const std::string& scene, const std::string& particles, Ov
 }
 
 TEST(InitialPlacement, NamesFileLineAndWhatIsOverlapped) {
-  EXPECT_THAT(placement("box.toml", "overlap.csv"), HasSubstr("overlap.csv:3: the particle at (0.000105, 0.0001, 5e-05) m overlaps that of line 2 by 2.8e-05 m"));
-  EXPECT_THAT(placement("box.toml", "overlap_6um.csv"), HasSubstr("overlap_6um.csv:3: the particle at (0.000127, 0.0001, 0.0001) m overlaps that of line 2 by 6e-06 m, 0.18 of"));
-  EXPECT_THAT(placement("box.toml", "same.csv"), HasSubstr("same.csv:3: the particle at (0.0001, 0.0001, 5e-05) m overlaps that of line 2 by 3.3e-05 m"));
-  EXPECT_THAT(placement("box.toml", "micrometres.csv"), testing::AllOf(HasSubstr("micrometres.csv:2: the particle at (100, 100, 50) m lies outside the walls, which reach from (0, 0, 0) to (0.0002, 0.0002, 0.0002) m"), HasSubstr("\"x [um],y [um],z [um]\"")));
-  EXPECT_THAT(placement("chan_lab.toml", "in_the_wall_and_beyond.csv", {"flow.source=uniform"}), HasSubstr("in_the_wall_and_beyond.csv:3: the particle at (0.00015, 0, 5e-05) m lies beyond the outlet"));
-  EXPECT_THAT(refusal([] { Simulation(read_scene(source_folder() / "tests/reference/cases/box.toml", {"box.max=[\"200 um\",\"200 um\",\"60 um\"]", "particles.diameter=33 um"}), nullptr, 1); }),
+  EXPECT_THAT(
+      placement("box.toml", "overlap.csv"),
+      HasSubstr("overlap.csv:3: the particle at (0.000105, 0.0001, 5e-05) m overlaps that of line 2 by 2.8e-05 m"));
+  EXPECT_THAT(placement("box.toml", "overlap_6um.csv"),
+              HasSubstr("overlap_6um.csv:3: the particle at (0.000127, 0.0001, 0.0001) m overlaps that of line 2 by "
+                        "6e-06 m, 0.18 of"));
+  EXPECT_THAT(placement("box.toml", "same.csv"),
+              HasSubstr("same.csv:3: the particle at (0.0001, 0.0001, 5e-05) m overlaps that of line 2 by 3.3e-05 m"));
+  EXPECT_THAT(placement("box.toml", "micrometres.csv"),
+              testing::AllOf(HasSubstr("micrometres.csv:2: the particle at (100, 100, 50) m lies outside the walls, "
+                                       "which reach from (0, 0, 0) to (0.0002, 0.0002, 0.0002) m"),
+                             HasSubstr("\"x [um],y [um],z [um]\"")));
+  EXPECT_THAT(placement("chan_lab.toml", "in_the_wall_and_beyond.csv", {"flow.source=uniform"}),
+              HasSubstr("in_the_wall_and_beyond.csv:3: the particle at (0.00015, 0, 5e-05) m lies beyond the outlet"));
+  EXPECT_THAT(refusal([] {
+                Simulation(read_scene(source_folder() / "tests/reference/cases/box.toml",
+                                      {"box.max=[\"200 um\",\"200 um\",\"60 um\"]", "particles.diameter=33 um"}),
+                           nullptr, 1);
+              }),
               HasSubstr("plain.csv:3: the particle at (0.0001, 5e-05, 0.0001) m lies outside the walls"));
 }
 
 std::string placed(const std::string& scene, const std::string& text) {
   const ScratchFile file(text);
-  return refusal([&] { Simulation(read_scene(source_folder() / "tests/reference/cases" / scene, {"flow.source=uniform", "particles.initial=" + file.name()}), nullptr, 1); });
+  return refusal([&] {
+    Simulation(read_scene(source_folder() / "tests/reference/cases" / scene,
+                          {"flow.source=uniform", "particles.initial=" + file.name()}),
+               nullptr, 1);
+  });
 }
 
 TEST(InitialPlacement, RefusesWhatLiesInTheSolid) {
-  EXPECT_THAT(placed("chan_lab.toml", "x_um,y_um,z_um\n-100,0,50\n-20,150,50\n"), HasSubstr(":3: the particle at (-2e-05, 0.00015, 5e-05) m lies in the solid"));
-  EXPECT_THAT(placed("chan_lab.toml", "x_um,y_um,z_um\n-100,0,12\n"), HasSubstr(":2: the particle at (-0.0001, 0, 1.2e-05) m overlaps a wall by 4.5e-06 m, 0.14 of its diameter"));
+  EXPECT_THAT(placed("chan_lab.toml", "x_um,y_um,z_um\n-100,0,50\n-20,150,50\n"),
+              HasSubstr(":3: the particle at (-2e-05, 0.00015, 5e-05) m lies in the solid"));
+  EXPECT_THAT(
+      placed("chan_lab.toml", "x_um,y_um,z_um\n-100,0,12\n"),
+      HasSubstr(":2: the particle at (-0.0001, 0, 1.2e-05) m overlaps a wall by 4.5e-06 m, 0.14 of its diameter"));
 }
 
 TEST(InitialPlacement, KeepsSmallElasticOverlaps) {
   const ScratchFile file("x_um,y_um,z_um\n50,50,16\n82,50,16.4\n");
-  Simulation(read_scene(source_folder() / "tests/reference/cases/box.toml", {"particles.initial=" + file.name()}), nullptr, 1);
+  Simulation(read_scene(source_folder() / "tests/reference/cases/box.toml", {"particles.initial=" + file.name()}),
+             nullptr, 1);
   const ScratchFile channel("x_um,y_um,z_um\n-100,0,16\n-100,33,50\n0,0,50\n90,33,50\n");
-  Simulation(read_scene(source_folder() / "tests/reference/cases/chan_lab.toml", {"flow.source=uniform", "particles.initial=" + channel.name()}), nullptr, 1);
+  Simulation(read_scene(source_folder() / "tests/reference/cases/chan_lab.toml",
+                        {"flow.source=uniform", "particles.initial=" + channel.name()}),
+             nullptr, 1);
 }
 
 TEST(InitialPlacement, RefusesAFilledStartOntoThem) {
-  EXPECT_THAT(placement("chan_lab.toml", "plain.csv", {"flow.source=uniform", "inlet.start=filled"}), HasSubstr("inlet.start = \"filled\" scatters its own particles"));
+  EXPECT_THAT(placement("chan_lab.toml", "plain.csv", {"flow.source=uniform", "inlet.start=filled"}),
+              HasSubstr("inlet.start = \"filled\" scatters its own particles"));
 }
 
 TEST(InitialParticles, WrongNumberOfFields) {
@@ -155,7 +186,8 @@ TEST(InitialParticles, WhatIsNoFiniteNumber) {
 
 TEST(InitialParticles, RadiusThatIsNotPositive) {
   EXPECT_THAT(message("x,y,z,radius\n1,2,3,0\n"), HasSubstr(":2: radius = 0 (must be positive)"));
-  EXPECT_THAT(message("x,y,z,radius\n1,2,3,1e-300\n"), HasSubstr(":2: radius = 1e-300 m (must be from 1e-09 to 1000 m)"));
+  EXPECT_THAT(message("x,y,z,radius\n1,2,3,1e-300\n"),
+              HasSubstr(":2: radius = 1e-300 m (must be from 1e-09 to 1000 m)"));
   EXPECT_THAT(message("x,y,z,radius\n1,2,3,1e4\n"), HasSubstr("radius = 10000 m (must be from"));
   EXPECT_THAT(message("x,y,z,radius\n1,2,3,-1\n"), HasSubstr("radius = -1 (must be positive)"));
 }
@@ -166,4 +198,4 @@ TEST(InitialParticles, EmptyFile) {
 }
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

@@ -1,17 +1,16 @@
 // The inlet: never an overlap at insertion, bounded attempts, counted refusals, a rate that is kept.
 #include <gtest/gtest.h>
 
-#include "dem/inlet.hpp"
+#include "dem/run/inlet.hpp"
 #include "tests/dem/channel_scene.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 /// The inlet alone, with particles that stay where they are put.
 struct Bench {
   explicit Bench(const Scene& s)
-      : scene(s), grid(synthetic_flow(s)), model(make_model(s, &grid, {})), fluid(make_fluid(s, &grid)),
-        inlet(model) {}
+      : scene(s), grid(synthetic_flow(s)), model(make_model(s, &grid, {})), fluid(make_fluid(s, &grid)), inlet(model) {}
 
   Scene scene;
   FlowGrid grid;
@@ -30,7 +29,7 @@ TEST(Inlet, NeverInsertsIntoAnotherOrAWall) {
   EXPECT_LE(deepest_pair(p), 0);
   const double r = bench.scene.particles.diameter / 2;
   for (std::size_t i = 0; i < p.size(); ++i) {
-    EXPECT_GE(p[i].x - r, channel_start(bench.scene));
+    EXPECT_GE(p[i].x - r, channel_start(bench.scene.geometry));
     EXPECT_LE(std::abs(p[i].y) + r, bench.scene.geometry.channel_width / 2);
     EXPECT_GE(p[i].z - r, 0);
     EXPECT_LE(p[i].z + r, bench.scene.geometry.neck_height);
@@ -41,8 +40,7 @@ TEST(Inlet, StartsParticlesWithTheFlow) {
   Bench bench(short_channel_scene());
   bench.inlet.insert(bench.particles, bench.fluid, bench.random, 0);
   const Particles& p = bench.particles;
-  for (std::size_t i = 0; i < p.size(); ++i)
-    EXPECT_EQ(p[i].vx, bench.fluid.field().at(p[i].x, p[i].y, p[i].z)[0]);
+  for (std::size_t i = 0; i < p.size(); ++i) EXPECT_EQ(p[i].vx, bench.fluid.field().at(p[i].x, p[i].y, p[i].z)[0]);
 }
 
 TEST(Inlet, WhenFullTriesABoundedNumberOfTimesAndCounts) {
@@ -83,4 +81,4 @@ TEST(Inlet, GivesIdsThatAreNeverUsedTwice) {
 }
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

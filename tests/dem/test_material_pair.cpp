@@ -7,7 +7,7 @@
 #include "dem/physics/material_pair.hpp"
 #include "tests/coupling/refusal.hpp"
 
-namespace clog {
+namespace clogflow {
 namespace {
 
 using testing::HasSubstr;
@@ -23,8 +23,7 @@ TEST(EffectiveModulus, OfEqualMaterials) {
 TEST(EffectiveModulus, OfUnequalMaterials) {
   // 1 / (0.96 / 48e9 + 0.91 / 200e9) = 1 / (2e-11 + 4.55e-12)
   EXPECT_NEAR(effective_modulus({48e9, 0.2}, {200e9, 0.3}), 1 / 2.455e-11, 10);
-  EXPECT_DOUBLE_EQ(effective_modulus({48e9, 0.2}, {200e9, 0.3}),
-                   effective_modulus({200e9, 0.3}, {48e9, 0.2}));
+  EXPECT_DOUBLE_EQ(effective_modulus({48e9, 0.2}, {200e9, 0.3}), effective_modulus({200e9, 0.3}, {48e9, 0.2}));
 }
 
 TEST(EffectiveModulus, AgainstARigidWallIsThatOfTheSphereAlone) {
@@ -49,8 +48,7 @@ TEST(MindlinOverHertz, IsTheRatioOfTheTextbook) {
   // k_t / k_n (tangents) = 8 G* / (2 E*) = 2 (1 - nu) / (2 - nu) for equal materials, Johnson (7.44)
   for (const double nu : {0.0, 0.2, 0.35, 0.49}) {
     const Material m{1e9, nu};
-    EXPECT_NEAR(4 * effective_shear_modulus(m, m) / effective_modulus(m, m),
-                2 * (1 - nu) / (2 - nu), 1e-14);
+    EXPECT_NEAR(4 * effective_shear_modulus(m, m) / effective_modulus(m, m), 2 * (1 - nu) / (2 - nu), 1e-14);
   }
 }
 
@@ -83,9 +81,8 @@ TEST(DampingConstant, IsContinuousAndFallsWithTheRestitution) {
 
 TEST(DampingConstant, RefusesWhatIsNoRestitution) {
   for (const double e : {0.0, -0.1, 1.0001, std::nan("")})
-    EXPECT_THAT(refusal([&] { damping_constant(e); }),
-                HasSubstr("contact.restitution")) << e;
+    EXPECT_THAT(refusal([&] { damping_constant(e); }), HasSubstr("contact.restitution")) << e;
 }
 
 }  // namespace
-}  // namespace clog
+}  // namespace clogflow

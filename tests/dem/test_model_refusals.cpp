@@ -1,19 +1,18 @@
 // What this version does not model is refused, never ignored.
 #include <gmock/gmock.h>
 
-#include "dem/model.hpp"
+#include "dem/run/model.hpp"
 #include "tests/coupling/refusal.hpp"
 #include "tests/dem/channel_scene.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 using testing::HasSubstr;
 
 TEST(Model, RefusesAFidelityThatIsNotResolved) {
   for (const auto& [overrides, key] : std::vector<std::pair<Overrides, std::string>>{
-           {{"fidelity.preset=fast"}, "fidelity.preset"},
-           {{"fidelity.tolerance=0.05"}, "fidelity.tolerance"}}) {
+           {{"fidelity.preset=fast"}, "fidelity.preset"}, {{"fidelity.tolerance=0.05"}, "fidelity.tolerance"}}) {
     EXPECT_THAT(refusal([&] { make_model(short_channel_scene(overrides), nullptr, {}); }),
                 HasSubstr(key + " has not been turned into keys"));
   }
@@ -57,12 +56,14 @@ TEST(Model, SaysWhichFacetsOfAFileAreLeftOut) {
               HasSubstr(flat.name() + ": 1 facet without area (number 2) is left out"));
 }
 
-// A closed body whose base has two thin facets beside its edge from (0, 0) to (10, 0): the second lies within 0.01 of the
-// first, but not of that edge.
+// A closed body whose base has two thin facets beside its edge from (0, 0) to (10, 0): the second lies within 0.01 of
+// the first, but not of that edge.
 std::string thin_facets() {
-  const std::array<Vec3, 6> p{Vec3(0, 0, 0), Vec3(10, 0, 0), Vec3(5, -8, 0), Vec3(6, 0.009, 0), Vec3(3, 0.0135, 0), Vec3(5, 0, 5)};
+  const std::array<Vec3, 6> p{Vec3(0, 0, 0),     Vec3(10, 0, 0),     Vec3(5, -8, 0),
+                              Vec3(6, 0.009, 0), Vec3(3, 0.0135, 0), Vec3(5, 0, 5)};
   std::string text = "solid body\n";
-  for (const auto& facet : {std::array{0, 1, 2}, {0, 3, 1}, {0, 4, 3}, {0, 2, 5}, {2, 1, 5}, {1, 3, 5}, {3, 4, 5}, {4, 0, 5}}) {
+  for (const auto& facet :
+       {std::array{0, 1, 2}, {0, 3, 1}, {0, 4, 3}, {0, 2, 5}, {2, 1, 5}, {1, 3, 5}, {3, 4, 5}, {4, 0, 5}}) {
     text += "facet\n";
     for (const int k : facet) text += fmt::format("vertex {} {} {}\n", p[k].x(), p[k].y(), p[k].z());
     text += "endfacet\n";
@@ -86,8 +87,9 @@ TEST(Model, RefusesAToleranceLargerThanTheFacetsUnderTheFilesName) {
   const ScratchFile file(floor_file(), ".stl");
   Scene scene = on_walls(file);
   scene.geometry.stl_tolerance = 2;
-  EXPECT_THAT(refusal([&] { make_model(scene, nullptr, {}); }), testing::AllOf(HasSubstr(file.name()), HasSubstr("none is left")));
+  EXPECT_THAT(refusal([&] { make_model(scene, nullptr, {}); }),
+              testing::AllOf(HasSubstr(file.name()), HasSubstr("none is left")));
 }
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

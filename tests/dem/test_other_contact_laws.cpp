@@ -5,12 +5,12 @@
 
 #include <gmock/gmock.h>
 
-#include "coupling/scene_keys.hpp"
+#include "coupling/scene/scene_keys.hpp"
 #include "dem/physics/contact_laws.hpp"
 #include "tests/coupling/refusal.hpp"
 #include "tests/dem/laboratory.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 using testing::HasSubstr;
@@ -208,10 +208,11 @@ TEST(Registry, SaysWhichWaysOfTurningALawHas) {
 
 TEST(Registry, EveryWordOfASceneHasARow) {
   for (const std::string_view law : std::get<WordSlot>(find_key("contact.law")->slot).words)
-    EXPECT_NO_THROW(make_contact_law(law, "luding", {.own = {1e7, 0.3}, .other = {1e7, 0.3}, .stiffness = 1, .surface_energy = 1}, {}));
+    EXPECT_NO_THROW(make_contact_law(
+        law, "luding", {.own = {1e7, 0.3}, .other = {1e7, 0.3}, .stiffness = 1, .surface_energy = 1}, {}));
   for (const std::string_view turning : std::get<WordSlot>(find_key("contact.turning")->slot).words)
     EXPECT_NO_THROW(make_contact_law("hertz", turning, {.own = {1e7, 0.3}, .other = {1e7, 0.3}}, {}));
 }
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

@@ -4,7 +4,7 @@
 #include "tests/dem/laboratory.hpp"
 #include "tests/dem/wall_shapes.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 /// Spheres that fly through an STL tube (one far away triangle) past the plane x = 1.
@@ -76,4 +76,4 @@ TEST(Passages, ASecondCrossingDoesNotCount) {
 }
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

@@ -4,16 +4,16 @@
 
 #include <gmock/gmock.h>
 
-#include "coupling/flow_reach.hpp"
-#include "coupling/flow_rescale.hpp"
-#include "dem/machine_speed.hpp"
+#include "coupling/flow/flow_reach.hpp"
+#include "coupling/flow/flow_rescale.hpp"
 #include "dem/physics/dimensionless.hpp"
 #include "dem/physics/hertz.hpp"
-#include "dem/plan.hpp"
-#include "dem/term_costs.hpp"
+#include "dem/plan/machine_speed.hpp"
+#include "dem/plan/plan.hpp"
+#include "dem/plan/term_costs.hpp"
 #include "tests/dem/channel_scene.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 using testing::Contains;
@@ -75,8 +75,7 @@ TEST(Plan, WarnsOfWhatIsMissing) {
               Contains(HasSubstr("lower time.mass_scale")));
   EXPECT_THAT(warnings(make_plan(cheap_paper_scene({"particles.density=1300 kg/m3"}))),
               Contains(HasSubstr("gravity is needed")));
-  EXPECT_THAT(warnings(make_plan(cheap_paper_scene({"time.step_fraction=0.5"}))),
-              Contains(HasSubstr("is unstable")));
+  EXPECT_THAT(warnings(make_plan(cheap_paper_scene({"time.step_fraction=0.5"}))), Contains(HasSubstr("is unstable")));
 }
 
 const PlannedTerm& term_named(const Plan& plan, const std::string& name) {
@@ -84,7 +83,8 @@ const PlannedTerm& term_named(const Plan& plan, const std::string& name) {
 }
 
 TEST(Plan, SharesOfTheCostAreThoseOfTheTermsThatTheSceneHas) {
-  const Plan with = make_plan(cheap_paper_scene()), without = make_plan(cheap_paper_scene({"lubrication.enabled=false"}));
+  const Plan with = make_plan(cheap_paper_scene()),
+             without = make_plan(cheap_paper_scene({"lubrication.enabled=false"}));
   const double share = term_named(with, "lubrication").share;
   EXPECT_GT(share, 0.1);
   EXPECT_EQ(term_named(without, "lubrication").share, 0);
@@ -118,4 +118,4 @@ TEST(MachineSpeed, IsMeasured) {
 }
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

@@ -3,11 +3,11 @@
 
 #include <gmock/gmock.h>
 
-#include "dem/model.hpp"
+#include "dem/run/model.hpp"
 #include "tests/coupling/refusal.hpp"
 #include "tests/dem/channel_scene.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 using testing::AllOf;
@@ -17,24 +17,26 @@ TEST(BlowUp, NamesStepParticleForceAndKnob) {
   // A step a hundred times too long for two spheres deep in each other.
   Laboratory lab(laboratory_scene({3e9, 0.35, 1062, 33e-6}, 1e-5),
                  {{.radius = 16.5e-6}, {.radius = 16.5e-6, .x = 30e-6}});
-  EXPECT_THAT(refusal([&] { lab.run_until(1e-3); }),
-              AllOf(HasSubstr("blow-up at step "), HasSubstr("particle "), HasSubstr("m/s under a force of "),
-                    HasSubstr(", largest overlap 3e-06 m; "),
-                    HasSubstr("lower time.step or raise contact.youngs_modulus")));
+  EXPECT_THAT(
+      refusal([&] { lab.run_until(1e-3); }),
+      AllOf(HasSubstr("blow-up at step "), HasSubstr("particle "), HasSubstr("m/s under a force of "),
+            HasSubstr(", largest overlap 3e-06 m; "), HasSubstr("lower time.step or raise contact.youngs_modulus")));
 }
 
 TEST(BlowUp, NamesTheParticleThatIsDeepest) {
-  Laboratory lab(laboratory_scene({3e9, 0.35, 1062, 33e-6}, 1e-9), {{.radius = 16.5e-6, .x = 1e-3, .vx = 0.1},
-                                                                    {.radius = 16.5e-6},
-                                                                    {.radius = 16.5e-6, .x = 50e-6}});
+  Laboratory lab(laboratory_scene({3e9, 0.35, 1062, 33e-6}, 1e-9),
+                 {{.radius = 16.5e-6, .x = 1e-3, .vx = 0.1}, {.radius = 16.5e-6}, {.radius = 16.5e-6, .x = 50e-6}});
   lab->particles()[2].x = 5e-6;
   EXPECT_THAT(refusal([&] { lab.step(); }),
-              AllOf(HasSubstr("pressed too deep: particle 1 at (0, 0, 0) m"), HasSubstr("particle 1 at (0, 0, 0) m overlaps particle 2 by 2.8e-05 m, 0.85 of its diameter; it begins so: move particles apart")));
+              AllOf(HasSubstr("pressed too deep: particle 1 at (0, 0, 0) m"),
+                    HasSubstr("particle 1 at (0, 0, 0) m overlaps particle 2 by 2.8e-05 m, 0.85 of its diameter; it "
+                              "begins so: move particles apart")));
 }
 
 // 1e160 rad/s squared is beyond the range of a number: no such energy gets into a file.
 TEST(BlowUp, AnEnergyThatIsNoNumberIsNotRecorded) {
-  Laboratory lab(laboratory_scene({3e6, 0.35, 1062, 33e-6}, 1e-7), {{.radius = 16.5e-6}, {.radius = 16.5e-6, .x = 1e-3}});
+  Laboratory lab(laboratory_scene({3e6, 0.35, 1062, 33e-6}, 1e-7),
+                 {{.radius = 16.5e-6}, {.radius = 16.5e-6, .x = 1e-3}});
   lab.step();
   lab->particles()[1].wz = 1e170;
   EXPECT_THAT(refusal([&] {
@@ -47,8 +49,11 @@ TEST(BlowUp, AnEnergyThatIsNoNumberIsNotRecorded) {
 TEST(InitialParticles, ThatTurnTooFarInAStepAreRefused) {
   const Scene scene = laboratory_scene({3e6, 0.35, 1062, 33e-6}, 1e-7);
   make_model(scene, nullptr, {{.radius = 16.5e-6, .wy = -9e6}});
-  EXPECT_THAT(refusal([&] { make_model(scene, nullptr, {{.radius = 16.5e-6}, {.radius = 16.5e-6, .wy = -1.1e7}}); }),
-              HasSubstr("particle 2 of those given turns by 1.1 rad in a step of 1e-07 s (allowed 1 rad): lower its spin or the step"));
+  EXPECT_THAT(refusal([&] {
+                make_model(scene, nullptr, {{.radius = 16.5e-6}, {.radius = 16.5e-6, .wy = -1.1e7}});
+              }),
+              HasSubstr("particle 2 of those given turns by 1.1 rad in a step of 1e-07 s (allowed 1 rad): lower its "
+                        "spin or the step"));
 }
 
 std::vector<Particle> row_of(int count) {
@@ -63,7 +68,8 @@ TEST(BlowUp, IsSeenInTheStepOfTheFirstNaN) {
   // In any lane of any vector, and whatever fast or slow particles come after it.
   lab->particles()[2].vy = std::nan("");
   lab->particles()[9].vx = 1e-3;
-  EXPECT_THAT(refusal([&] { lab.step(); }), AllOf(HasSubstr("blow-up at step 1"), HasSubstr("moves at nan m/s"), HasSubstr("a number became infinite or none")));
+  EXPECT_THAT(refusal([&] { lab.step(); }), AllOf(HasSubstr("blow-up at step 1"), HasSubstr("moves at nan m/s"),
+                                                  HasSubstr("a number became infinite or none")));
 }
 
 TEST(LostParticle, NamesTheParticleAndThePlace) {
@@ -71,9 +77,10 @@ TEST(LostParticle, NamesTheParticleAndThePlace) {
   set_floor(s, 2);
   Laboratory lab(s, {{.radius = 0.05, .z = 0.5}, {.radius = 0.05, .x = 0.5, .z = 0.5}});
   lab->particles()[1].x = 5;
-  EXPECT_THAT(refusal([&] { lab->compute_forces(); }),
-              AllOf(HasSubstr("particle 1 left the walls, which reach from (-1, -1, 0) to (1, 1, 2) m, at (5, 0, 0.5) m"),
-                    HasSubstr("lower time.step or raise contact.youngs_modulus")));
+  EXPECT_THAT(
+      refusal([&] { lab->compute_forces(); }),
+      AllOf(HasSubstr("particle 1 left the walls, which reach from (-1, -1, 0) to (1, 1, 2) m, at (5, 0, 0.5) m"),
+            HasSubstr("lower time.step or raise contact.youngs_modulus")));
 }
 
 TEST(Flow, OfAnotherSceneIsRefusedWithTheFirstDifference) {
@@ -105,4 +112,4 @@ TEST(Porosity, OfOverlappingParticlesIsRefused) {
 }
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

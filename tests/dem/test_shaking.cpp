@@ -3,7 +3,7 @@
 
 #include "tests/dem/laboratory.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 using testing::Contains;
@@ -11,7 +11,8 @@ using testing::HasSubstr;
 
 /// A sphere pressed on a floor of friction and pushed a little, at a share of the largest step of its contact.
 struct Pressed {
-  std::vector<Particle> sphere{{.radius = 16.5e-6, .x = -1e-4, .z = 16.4e-6, .vx = 1e-6, .wx = 0.3, .wy = 0.1, .wz = 0.2}};
+  std::vector<Particle> sphere{
+      {.radius = 16.5e-6, .x = -1e-4, .z = 16.4e-6, .vx = 1e-6, .wx = 0.3, .wy = 0.1, .wz = 0.2}};
   Scene scene = laboratory_scene({3e6, 0.35, 1062, 33e-6}, 1e-8);
 
   explicit Pressed(double share) {
@@ -78,4 +79,4 @@ TEST(Shaking, BelowTheLimitThereIsNone) {
 }
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

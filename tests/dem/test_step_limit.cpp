@@ -1,14 +1,14 @@
 // The predicted step limits against closed forms and against what runs do.
 #include <gmock/gmock.h>
 
-#include "coupling/source_folder.hpp"
+#include "coupling/base/source_folder.hpp"
 #include "dem/physics/laws/hertz.hpp"
-#include "dem/step_limit.hpp"
-#include "dem/step_watch.hpp"
+#include "dem/stability/step_limit.hpp"
+#include "dem/stability/step_watch.hpp"
 #include "tests/coupling/refusal.hpp"
 #include "tests/dem/laboratory.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 using testing::AllOf;
@@ -44,7 +44,7 @@ TEST(StableStep, IsTheEdgeOfTheScheme) {
     EXPECT_TRUE(bounded(k, c, 0.999 * dt)) << k << " " << c;
     EXPECT_FALSE(bounded(k, c, 1.002 * dt)) << k << " " << c;
   }
-  EXPECT_DOUBLE_EQ(stable_step(4, 0), 1);  // 2 / w
+  EXPECT_DOUBLE_EQ(stable_step(4, 0), 1);    // 2 / w
   EXPECT_DOUBLE_EQ(stable_step(0, 4), 0.5);  // 2 / g
 }
 
@@ -101,8 +101,8 @@ TEST(StepLimits, AreNamedRefusedAndWarnedOf) {
   const std::vector<Particle> one{{.radius = 16.5e-6, .z = 16.5e-6}};
   const Model model = make_model(pressed(1e-8), nullptr, one);
   const StepLimits limits = expected_limits(model, one);
-  EXPECT_THAT(describe(limits, model.dt), AllOf(HasSubstr("dt = 1e-08 s"), HasSubstr("dt/Rayleigh"),
-                                                HasSubstr("dt/contact limit")));
+  EXPECT_THAT(describe(limits, model.dt),
+              AllOf(HasSubstr("dt = 1e-08 s"), HasSubstr("dt/Rayleigh"), HasSubstr("dt/contact limit")));
   EXPECT_EQ(check_step(limits, model), "");
   const auto at = [&](double share) { return make_model(pressed(share * limits.contacts), nullptr, one); };
   EXPECT_THAT(check_step(limits, at(0.95)), HasSubstr("is near the limit of the contacts"));
@@ -203,15 +203,15 @@ TEST(StepLimits, AMessageNamesTheKeyThatDecidesTheStep) {
   EXPECT_EQ(key({"time.step_fraction=0.02"}), "time.step_fraction");
   EXPECT_EQ(key({"time.step_fraction=0.02", "time.contact_limit_share=0.9"}), "time.step_fraction");
   EXPECT_EQ(key({"time.step_fraction=1", "time.contact_limit_share=0.7"}), "time.contact_limit_share");
-  EXPECT_EQ(make_model(pressed(1e-8), nullptr, {{.radius = 16.5e-6, .z = 16.5e-6}}).step_key(), std::string("time.step"));
+  EXPECT_EQ(make_model(pressed(1e-8), nullptr, {{.radius = 16.5e-6, .z = 16.5e-6}}).step_key(),
+            std::string("time.step"));
 }
 
 TEST(StepLimits, ARunThatBeginsAboveTheLimitOfItsContactsIsRefused) {
   const Deep deep(0.8);
   Laboratory lab(deep.scene, deep.sphere);
-  EXPECT_THAT(refusal([&] { lab->run(); }),
-              AllOf(HasSubstr("is above the limit of the contacts of particle 0 at"),
-                    HasSubstr("lower time.step or "), HasSubstr("time.allow_unstable")));
+  EXPECT_THAT(refusal([&] { lab->run(); }), AllOf(HasSubstr("is above the limit of the contacts of particle 0 at"),
+                                                  HasSubstr("lower time.step or "), HasSubstr("time.allow_unstable")));
 }
 
 TEST(StepLimits, ARunThatAllowsUnstableStepsIsOnlyWarned) {
@@ -277,7 +277,10 @@ TEST(StepLimits, TheErrorOfSingleImpactsIsToldWhereItBegins) {
   StepLimits limits;
   limits.impact = 1;
   EXPECT_EQ(impact_warning(limits, 0.16), "");
-  EXPECT_THAT(impact_warning(limits, 0.45), HasSubstr("0.45 of the limit of two spheres that collide: the restitution of single impacts is off by up to 7.3 %"));
+  EXPECT_THAT(
+      impact_warning(limits, 0.45),
+      HasSubstr(
+          "0.45 of the limit of two spheres that collide: the restitution of single impacts is off by up to 7.3 %"));
   limits.films_brake = true;
   EXPECT_EQ(impact_warning(limits, 0.45), "");
   for (const double share : {0.1, 0.2, 0.3, 0.45}) {
@@ -304,7 +307,8 @@ TEST(StepLimits, NoParticleMayGoFarInAStep) {
   EXPECT_EQ(check(0.09 * diameter_a_step), "");
   EXPECT_THAT(check(0.2 * diameter_a_step), HasSubstr("the fastest particles go 0.2 of a diameter"));
   EXPECT_THAT(refusal([&] { check(0.64 * diameter_a_step); }),
-              HasSubstr("the fastest particles go 0.64 of a diameter (no more than 0.25, or contacts are met too late): lower time.step"));
+              HasSubstr("the fastest particles go 0.64 of a diameter (no more than 0.25, or contacts are met too "
+                        "late): lower time.step"));
 }
 
 TEST(StepLimits, DeepOverlapsAreSaidOnceWithThePair) {
@@ -329,10 +333,10 @@ TEST(StepLimits, ASphereWhoseCentreLiesOnAWallIsNotLetGo) {
 
 TEST(StepWatch, SeesEnergyThatNothingSupplied) {
   StepWatch watch;
-  EXPECT_FALSE(watch.appeared(1, 0));    // the first look
-  EXPECT_FALSE(watch.appeared(10, 9));   // supplied
-  EXPECT_FALSE(watch.appeared(11, 9));   // too little to tell
-  EXPECT_FALSE(watch.appeared(5, 9));    // dissipated
+  EXPECT_FALSE(watch.appeared(1, 0));   // the first look
+  EXPECT_FALSE(watch.appeared(10, 9));  // supplied
+  EXPECT_FALSE(watch.appeared(11, 9));  // too little to tell
+  EXPECT_FALSE(watch.appeared(5, 9));   // dissipated
   EXPECT_TRUE(watch.appeared(50, 9));
 }
 
@@ -347,4 +351,4 @@ TEST(StepWatch, DoesNotChangeTheBitsOfARun) {
 }
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

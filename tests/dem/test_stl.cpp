@@ -5,12 +5,12 @@
 
 #include <gmock/gmock.h>
 
-#include "coupling/source_folder.hpp"
-#include "coupling/stl.hpp"
+#include "coupling/base/source_folder.hpp"
+#include "coupling/geometry/stl.hpp"
 #include "tests/coupling/refusal.hpp"
 #include "tests/dem/laboratory.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 using testing::HasSubstr;
@@ -79,10 +79,10 @@ TEST(Stl, TextInEveryForm) {
   spaced.replace(spaced.find("endloop"), 7, "end loop");
   for (std::size_t at = 0; (at = lines.find('\n', at)) != std::string::npos; at += 2) lines.replace(at, 1, "\r\n");
   std::ranges::replace(one_line, '\n', ' ');
-  for (const std::string& text : {upper, spaced, lines, one_line, " \t" + text_stl, "\n\n" + text_stl,
-                                  "\xef\xbb\xbf" + text_stl, "\xef\xbb\xbf \n# made by hand\n" + text_stl,
-                                  "; solid\n! a facet\n// vertex 1 2\n" + text_stl, changed("1e-3", "+1e-3"),
-                                  changed("solid plate\n", "")}) {
+  for (const std::string& text :
+       {upper, spaced, lines, one_line, " \t" + text_stl, "\n\n" + text_stl, "\xef\xbb\xbf" + text_stl,
+        "\xef\xbb\xbf \n# made by hand\n" + text_stl, "; solid\n! a facet\n// vertex 1 2\n" + text_stl,
+        changed("1e-3", "+1e-3"), changed("solid plate\n", "")}) {
     const Walls walls = read(text);
     ASSERT_EQ(walls.size(), 1u) << text;
     EXPECT_EQ(walls[0].corner[1], Vec3(1e-3, 0, 0)) << text;
@@ -148,4 +148,4 @@ TEST(Stl, BrokenBinary) {
 }
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

@@ -1,14 +1,14 @@
 // A channel from an STL file in the solver: where particles enter, where they leave, what closes it.
 #include <gmock/gmock.h>
 
-#include "coupling/channel_shape.hpp"
-#include "coupling/source_folder.hpp"
-#include "dem/inlet.hpp"
-#include "dem/simulation.hpp"
+#include "coupling/base/source_folder.hpp"
+#include "coupling/geometry/channel_shape.hpp"
+#include "dem/run/inlet.hpp"
+#include "dem/run/simulation.hpp"
 #include "tests/coupling/refusal.hpp"
 #include "tests/dem/laboratory.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 Scene pore(Overrides overrides = {}) {
@@ -30,7 +30,7 @@ TEST(StlScene, HasTheSameEndsGateAndStripsAsAChannelOfKeys) {
       EXPECT_NEAR(std::abs(corner.y()), 50e-6, 1e-9);
     }
   // The straight part alone, by hand: 300 x 300 x 100 um3.
-  EXPECT_NEAR(channel_volume(scene, -480e-6, -180e-6) / 9e-12, 1, 1e-6);
+  EXPECT_NEAR(channel_volume(scene.geometry, -480e-6, -180e-6) / 9e-12, 1, 1e-6);
   const Fluid fluid = make_fluid(scene, nullptr);
   EXPECT_EQ(fluid.strips().porosity().size(), 3u);
 }
@@ -87,7 +87,9 @@ TEST(StlScene, AWrongUnitIsToldByTheExtent) {
 
 TEST(StlScene, APassagePlaneOutsideTheWallsIsRefused) {
   for (const char* plane : {"-1 um", "201 um"})
-    EXPECT_THAT(refusal([&] { make_model(laboratory("stl/plain.stl", {fmt::format("passages.plane={}", plane)}), nullptr, {}); }),
+    EXPECT_THAT(refusal([&] {
+                  make_model(laboratory("stl/plain.stl", {fmt::format("passages.plane={}", plane)}), nullptr, {});
+                }),
                 testing::HasSubstr("must be within the walls, from x = 0 to 0.0002 m"));
   EXPECT_EQ(make_model(laboratory("stl/plain.stl", {"passages.plane=50 um"}), nullptr, {}).domain.passage, 50e-6);
 }
@@ -106,7 +108,8 @@ TEST(StlScene, SaysWhenWhatLeftWasNotCounted) {
   };
   EXPECT_THAT(notes_of(95e-6), testing::Not(testing::HasSubstr("none was counted")));
   // No scene is read with such a plane.
-  EXPECT_THAT(notes_of(1e-3), testing::HasSubstr("warning: 1 particle left at the outlet, x = 0.0001 m, and none was counted"));
+  EXPECT_THAT(notes_of(1e-3),
+              testing::HasSubstr("warning: 1 particle left at the outlet, x = 0.0001 m, and none was counted"));
 }
 
 TEST(StlScene, RunsWithoutAFlowFile) {
@@ -116,4 +119,4 @@ TEST(StlScene, RunsWithoutAFlowFile) {
 }
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

@@ -5,7 +5,7 @@
 #include "dem/physics/lubrication.hpp"
 #include "tests/dem/laboratory.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 constexpr double eta = 1.8e-3, d = 33e-6, rho = 1062;
@@ -106,8 +106,7 @@ TEST(Lubrication, ClampedIsHeldBelowTwiceTheRoughness) {
   Scene s = film_scene();
   s.lubrication.below_roughness = BelowRoughness::clamp;
   const double xi = 0.005 * d, held = 3 * M_PI * eta * d * d / (8 * 2 * xi) * 1e-3;
-  for (const double h : {0.01 * xi, xi, 1.999 * xi})
-    EXPECT_NEAR(film_force(s, h, 1e-3) / held, 1, 1e-12) << h;
+  for (const double h : {0.01 * xi, xi, 1.999 * xi}) EXPECT_NEAR(film_force(s, h, 1e-3) / held, 1, 1e-12) << h;
 }
 
 TEST(Lubrication, OpposesOnlyTheMotionAlongTheLineOfCentres) {
@@ -152,4 +151,4 @@ TEST(Lubrication, WithAWallActsOnlyWhenAsked) {
 }
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

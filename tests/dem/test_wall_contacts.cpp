@@ -1,12 +1,12 @@
 // Forces and springs of a sphere that moves over edges and corners: nothing jumps, nothing is lost.
 #include <gtest/gtest.h>
 
+#include "dem/contact/wall_contacts.hpp"
 #include "dem/physics/contact_laws.hpp"
-#include "dem/wall_contacts.hpp"
 #include "tests/dem/laboratory.hpp"
 #include "tests/dem/wall_shapes.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 constexpr double r = 0.1, skin = 0.02;
@@ -167,8 +167,8 @@ TEST(WallForce, AtTheEndOfAnEdgeHasBothContacts) {
   Walls walls = floor_plate(1);
   const Vec3 up(0, 0, 1);
   const auto upright = [&](const Vec3& a, const Vec3& b) { add_quad(walls, a, b, b + up, a + up); };
-  upright({0, 0, 0}, {0, 1, 0});    // faces -x
-  upright({1, 0, 0}, {0, 0, 0});    // faces -y
+  upright({0, 0, 0}, {0, 1, 0});  // faces -x
+  upright({1, 0, 0}, {0, 0, 0});  // faces -y
   Probe probe(walls);
   const double height = r - overlap;
   for (double turn = 0.01; turn < M_PI / 2; turn += 0.01) {
@@ -259,21 +259,27 @@ TEST(WallSprings, SurviveRebuildsAndCoplanarEdges) {
   const Walls walls = cut_in_four(cut_in_four(floor_plate(1)));
   const auto way = [](double s) { return Vec3(s, 0.37 * s, r - overlap); };
   // Each step is as long as the way itself, sqrt(1 + 0.37^2).
-  EXPECT_LT(spring_jump(walls, [&](double s) { return way(s / std::hypot(1, 0.37)); }, -0.3, 0.3), 1e-12);
+  EXPECT_LT(spring_jump(
+                walls, [&](double s) { return way(s / std::hypot(1, 0.37)); }, -0.3, 0.3),
+            1e-12);
 }
 
 TEST(WallSprings, SurviveAConvexEdge) {
   // The centre's chord is shorter than the arc by 1e-7, and the spring turns with the normal.
-  EXPECT_LT(spring_jump(bent_plate(-M_PI / 3, 1), [](double s) { return over_edge(s, M_PI / 3).centre; },
-                        -0.1, 0.2), 2e-6);
+  EXPECT_LT(spring_jump(
+                bent_plate(-M_PI / 3, 1), [](double s) { return over_edge(s, M_PI / 3).centre; }, -0.1, 0.2),
+            2e-6);
 }
 
 TEST(WallSprings, SurviveFromFacetToFacet) {
   for (const int facets : {14, 64, 1024}) {
     const double pore = 1.09 * r, height = pore - r + overlap;
     // Each step goes on by its length; where the facets turn, the spring turns with the normal.
-    EXPECT_LT(spring_jump(round_pore(pore, facets, 3 * r), [&](double s) { return around(s / height, height, 0.1 * r); },
-                          0, 0.5 * height), 2e-5) << facets;
+    EXPECT_LT(spring_jump(
+                  round_pore(pore, facets, 3 * r), [&](double s) { return around(s / height, height, 0.1 * r); }, 0,
+                  0.5 * height),
+              2e-5)
+        << facets;
   }
 }
 
@@ -289,4 +295,4 @@ TEST(WallSprings, OfAContactLostAreForgotten) {
 }
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

@@ -4,13 +4,13 @@
 
 #include <gmock/gmock.h>
 
-#include "dem/closest_point.hpp"
-#include "coupling/wall_mesh.hpp"
-#include "dem/wall_surface.hpp"
+#include "coupling/geometry/wall_mesh.hpp"
+#include "dem/contact/closest_point.hpp"
+#include "dem/contact/wall_surface.hpp"
 #include "tests/coupling/refusal.hpp"
 #include "tests/dem/wall_shapes.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 std::vector<WallPoint> contacts(const WallSurface& surface, const Vec3& centre, double radius) {
@@ -84,9 +84,7 @@ TEST(WallSurface, TipOfAPyramidCountsOnce) {
   EXPECT_EQ(found[0].point.norm(), 0);
 }
 
-TEST(WallSurface, NothingIsMetOutOfReach) {
-  EXPECT_TRUE(contacts(floor_plate(1), {0, 0, 0.1000001}, 0.1).empty());
-}
+TEST(WallSurface, NothingIsMetOutOfReach) { EXPECT_TRUE(contacts(floor_plate(1), {0, 0, 0.1000001}, 0.1).empty()); }
 
 /// The contacts in an order that does not depend on the triangles'.
 std::vector<WallPoint> sorted(std::vector<WallPoint> points) {
@@ -200,14 +198,16 @@ TEST(WallSurface, ManyHangingCornersCutATriangleOnceEach) {
     EXPECT_EQ(mesh.triangles.size(), walls.size() + hanging);
     EXPECT_EQ(open_rims(mesh).size(), 1u);
     double area = 0, before = 0;
-    for (const Triangle& t : mesh.triangles) area += (t.corner[1] - t.corner[0]).cross(t.corner[2] - t.corner[0]).z() / 2;
+    for (const Triangle& t : mesh.triangles)
+      area += (t.corner[1] - t.corner[0]).cross(t.corner[2] - t.corner[0]).z() / 2;
     for (const Triangle& t : walls) before += (t.corner[1] - t.corner[0]).cross(t.corner[2] - t.corner[0]).z() / 2;
     EXPECT_NEAR(area, before, 1e-12);
   }
 }
 
 TEST(WallSurface, WeldingGoesOnFromCornerToCorner) {
-  // Five corners of one place in a row, each 0.9 tolerances from the next in x: the ends are one only through the others.
+  // Five corners of one place in a row, each 0.9 tolerances from the next in x: the ends are one only through the
+  // others.
   const double tolerance = 1e-3, step = 0.9e-3;
   std::vector<int> order{0, 1, 2, 3};
   do {
@@ -243,8 +243,7 @@ TEST(WallSurface, FindsWhereItIsOpen) {
   Walls tube;
   const std::array<Vec3, 4> turn{Vec3(0, 0, 0), Vec3(0, 1, 0), Vec3(0, 1, 1), Vec3(0, 0, 1)};
   const Vec3 along(3, 0, 0);
-  for (int k = 0; k < 4; ++k)
-    add_quad(tube, turn[k], turn[(k + 1) % 4], turn[(k + 1) % 4] + along, turn[k] + along);
+  for (int k = 0; k < 4; ++k) add_quad(tube, turn[k], turn[(k + 1) % 4], turn[(k + 1) % 4] + along, turn[k] + along);
   EXPECT_EQ(open_rims(join_walls(tube)).size(), 2u);
   EXPECT_EQ(open_rims(join_walls(cut_in_four(tube))).size(), 2u);
   add_quad(tube, turn[0], turn[3], turn[2], turn[1]);
@@ -275,4 +274,4 @@ TEST(WallSurface, AFacetWithoutAreaIsLeftOut) {
 }
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

@@ -25,6 +25,6 @@ clog_tests(test_channel_runs
   LIBRARIES clog_dem LABELS slow)
 clog_tests(test_ensemble
   SOURCES dem/test_ensemble.cpp
-  LIBRARIES clog_dem LABELS slow)
+  LIBRARIES clog_ensemble LABELS slow)
 target_compile_definitions(test_ensemble PRIVATE CLOG_PROGRAM="$<TARGET_FILE:clog>")
 add_dependencies(test_ensemble clog)

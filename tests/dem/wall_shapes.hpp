@@ -3,9 +3,9 @@
 
 #include <random>
 
-#include "coupling/walls.hpp"
+#include "coupling/geometry/walls.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 
 /// Corners counter-clockwise seen from the fluid.
 inline void add_quad(Walls& walls, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
@@ -31,7 +31,9 @@ inline Walls bent_plate(double angle, double size) {
 }
 
 /// A place on a circle in the x-z plane.
-inline Vec3 around(double angle, double radius, double y) { return {radius * std::cos(angle), y, radius * std::sin(angle)}; }
+inline Vec3 around(double angle, double radius, double y) {
+  return {radius * std::cos(angle), y, radius * std::sin(angle)};
+}
 
 /// A closed round pore along y made of flat facets, the middle of the first at angle 0.
 inline Walls round_pore(double radius, int facets, double half_length) {
@@ -77,10 +79,9 @@ inline Walls cut_in_three(const Walls& walls, std::mt19937& random) {
     const auto& [a, b, c] = t.corner;
     const double u = share(random), v = share(random) * (1 - u);
     const Vec3 inside = (1 - u - v) * a + u * b + v * c;
-    for (const Triangle& part : {Triangle{{a, b, inside}}, {{b, c, inside}}, {{c, a, inside}}})
-      finer.push_back(part);
+    for (const Triangle& part : {Triangle{{a, b, inside}}, {{b, c, inside}}, {{c, a, inside}}}) finer.push_back(part);
   }
   return finer;
 }
 
-}  // namespace clog::test
+}  // namespace clogflow::test

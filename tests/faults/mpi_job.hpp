@@ -6,7 +6,7 @@
 
 #include "tests/faults/program.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 
 /// Processes whose parent this is and that run the program.
 inline std::vector<pid_t> ranks_below(pid_t parent) {
@@ -70,4 +70,4 @@ private:
   bool ended_ = false;
 };
 
-}  // namespace clog::test
+}  // namespace clogflow::test

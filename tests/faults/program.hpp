@@ -11,7 +11,7 @@
 
 #include "tests/faults/small_channel.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 
 inline std::string text_of(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
@@ -21,8 +21,7 @@ inline std::string text_of(const std::filesystem::path& file) {
 /// One call of `clog`, its output in a log file.
 class Program {
 public:
-  Program(const std::vector<std::string>& arguments, std::filesystem::path log)
-      : log_(std::move(log)) {
+  Program(const std::vector<std::string>& arguments, std::filesystem::path log) : log_(std::move(log)) {
     std::vector<char*> words{const_cast<char*>(CLOG_PROGRAM)};
     for (const auto& word : arguments) words.push_back(const_cast<char*>(word.c_str()));
     words.push_back(nullptr);
@@ -50,9 +49,7 @@ private:
   pid_t child_ = -1;
 };
 
-inline void sleep_ms(int milliseconds) {
-  std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
-}
+inline void sleep_ms(int milliseconds) { std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds)); }
 
 /// A scene and its flow in a folder, and calls of `clog run` on them.
 class SmallJob {
@@ -69,14 +66,15 @@ public:
   std::filesystem::path path(const std::string& name) const { return folder_.path() / name; }
 
   Program start(const std::string& out, const std::string& seeds, const std::vector<std::string>& more = {}) const {
-    std::vector<std::string> words{"run", path("scene.toml"), "--flow", path("flow.h5"),
-                                   "--out", path(out), "--seeds", seeds};
+    std::vector<std::string> words{"run",   path("scene.toml"), "--flow",  path("flow.h5"),
+                                   "--out", path(out),          "--seeds", seeds};
     words.insert(words.end(), more.begin(), more.end());
     return {words, path("log")};
   }
 
   /// Runs to the end; the output if that failed.
-  std::string complete(const std::string& out, const std::string& seeds, const std::vector<std::string>& more = {}) const {
+  std::string complete(const std::string& out, const std::string& seeds,
+                       const std::vector<std::string>& more = {}) const {
     const Program program = start(out, seeds, more);
     const int status = program.wait();
     return status == 0 ? "" : fmt::format("status {}: {}", status, program.said());
@@ -102,4 +100,4 @@ inline bool appears(const std::filesystem::path& file) {
   return std::filesystem::exists(file);
 }
 
-}  // namespace clog::test
+}  // namespace clogflow::test

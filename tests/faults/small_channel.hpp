@@ -1,16 +1,16 @@
 // A channel of some ten particles with a made-up flow: a whole run, filling included, in under a second.
 #pragma once
 
-#include "coupling/archive.hpp"
+#include "coupling/base/archive.hpp"
 #include "tests/coupling/flow_scene.hpp"
 #include "tests/dem/channel_scene.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 
 /// Clogs and releases follow each other quickly, so that a short run meets every branch.
 inline Scene small_channel(Overrides more = {}) {
-  Overrides overrides = {"particles.diameter=50 um", "time.end=20 ms", "inlet.taps=1",
-                         "unclog.after=3 ms", "output.snapshot_interval=5 ms"};
+  Overrides overrides = {"particles.diameter=50 um", "time.end=20 ms", "inlet.taps=1", "unclog.after=3 ms",
+                         "output.snapshot_interval=5 ms"};
   overrides.insert(overrides.end(), more.begin(), more.end());
   return short_channel_scene(overrides);
 }
@@ -23,8 +23,6 @@ inline std::string result_bytes(RunData run) {
   return archive.bytes();
 }
 
-inline std::string result_bytes(const std::filesystem::path& run_file) {
-  return result_bytes(read_run_file(run_file));
-}
+inline std::string result_bytes(const std::filesystem::path& run_file) { return result_bytes(read_run_file(run_file)); }
 
-}  // namespace clog::test
+}  // namespace clogflow::test

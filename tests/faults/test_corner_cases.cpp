@@ -6,12 +6,12 @@
 
 #include <gmock/gmock.h>
 
-#include "dem/clog_watch.hpp"
-#include "dem/initial_particles.hpp"
+#include "dem/run/clog_watch.hpp"
+#include "dem/state/initial_particles.hpp"
 #include "tests/coupling/refusal.hpp"
 #include "tests/faults/small_channel.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 using testing::AllOf;
@@ -73,14 +73,16 @@ TEST(FullInlet, ThatCanInsertNothingSaysSoAndEnds) {
 
 // A channel shorter than the slab of the inlet: nothing may stand in the slanted walls.
 TEST(FullInlet, OfAShortChannelKeepsOutOfTheNarrowing) {
-  const Scene scene = small_channel({"particles.diameter=60 um", "geometry.channel_length=65 um", "inlet.start=empty", "time.end=10 us"});
+  const Scene scene = small_channel(
+      {"particles.diameter=60 um", "geometry.channel_length=65 um", "inlet.start=empty", "time.end=10 us"});
   const FlowGrid flow = synthetic_flow(scene);
   const RunData run = Simulation(scene, &flow, 1).run();
   ASSERT_GT(run.provenance["inserted"].get<std::int64_t>(), 0);
   EXPECT_LE(*std::max_element(run.series.largest_overlap.begin(), run.series.largest_overlap.end()), 0.002 * 60e-6);
 }
 
-// A pack is at rest below a share of the flow's speed, whatever the flow comes from: without that a filled start never ended.
+// A pack is at rest below a share of the flow's speed, whatever the flow comes from: without that a filled start never
+// ended.
 TEST(UniformFlow, TellsWhatRestIsAndFillsAChannel) {
   const Scene scene = small_channel({"flow.source=uniform", "flow.velocity=5 mm/s", "time.end=1 ms"});
   EXPECT_DOUBLE_EQ(scene.flow_speed(), 5e-3);
@@ -89,8 +91,8 @@ TEST(UniformFlow, TellsWhatRestIsAndFillsAChannel) {
 }
 
 TEST(UniformFlow, AloneFillsAChannelAndEndsClogs) {
-  const Overrides pushed = {"flow.source=none", "body_force=[\"1 nN\", \"0 N\", \"0 N\"]",
-                            "unclog.after=1 ms", "output.series_interval=1 ms", "porosity.update_interval=1 ms"};
+  const Overrides pushed = {"flow.source=none", "body_force=[\"1 nN\", \"0 N\", \"0 N\"]", "unclog.after=1 ms",
+                            "output.series_interval=1 ms", "porosity.update_interval=1 ms"};
   const auto with = [&](const char* more) {
     Overrides all = pushed;
     all.push_back(more);
@@ -132,12 +134,14 @@ TEST(FlowFile, WithNaNIsNeitherWrittenNorRead) {
 
 TEST(FlowFile, OfAnotherGeometryIsRefusedByName) {
   const Scene scene = small_channel();
-  for (const char* other : {"geometry.neck_width=120 um", "geometry.channel_length=300 um", "geometry.half_angle=45 deg", "fluid.viscosity=1 mPa s"}) {
+  for (const char* other : {"geometry.neck_width=120 um", "geometry.channel_length=300 um",
+                            "geometry.half_angle=45 deg", "fluid.viscosity=1 mPa s"}) {
     const FlowGrid flow = synthetic_flow(small_channel({other}));
     const std::string key(other, std::string(other).find('='));
-    EXPECT_THAT(refusal([&] { Simulation(scene, &flow, 1); }), AllOf(HasSubstr("another scene"), HasSubstr(key.substr(key.find('.') + 1))));
+    EXPECT_THAT(refusal([&] { Simulation(scene, &flow, 1); }),
+                AllOf(HasSubstr("another scene"), HasSubstr(key.substr(key.find('.') + 1))));
   }
 }
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

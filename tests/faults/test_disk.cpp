@@ -7,7 +7,7 @@
 #include "tests/coupling/refusal.hpp"
 #include "tests/faults/program.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 using testing::HasSubstr;
@@ -24,7 +24,8 @@ struct Limited {
 Limited limited(const SmallJob& job, const std::string& before, const std::string& out, const std::string& more = "") {
   const std::string call = fmt::format("{} run {} --flow {} --out {} {}", CLOG_PROGRAM, job.path("scene.toml").string(),
                                        job.path("flow.h5").string(), job.path(out).string(), more);
-  const int status = std::system(fmt::format("({}; exec {}) > {} 2>&1", before, call, job.path("log").string()).c_str());
+  const int status =
+      std::system(fmt::format("({}; exec {}) > {} 2>&1", before, call, job.path("log").string()).c_str());
   return {WEXITSTATUS(status), text_of(job.path("log"))};
 }
 
@@ -65,8 +66,7 @@ TEST(FullDisk, WithoutRoomForAByteLeavesNoPart) {
   const SmallDisk disk(job.path("full"), "8k");
   if (!disk.mounted()) GTEST_SKIP() << "needs the right to mount a small disk";
   write_file(job.path("full/filler"), std::string(8192, 'x'));
-  EXPECT_THAT(refusal([&] { write_flow_grid(job.flow, job.path("full/flow.h5")); }),
-              HasSubstr("No space left"));
+  EXPECT_THAT(refusal([&] { write_flow_grid(job.flow, job.path("full/flow.h5")); }), HasSubstr("No space left"));
   EXPECT_EQ(files_in(job.path("full")), std::vector<std::string>{"filler"});
 }
 
@@ -167,7 +167,8 @@ int shell(const std::string& words) { return WEXITSTATUS(std::system((CLOG_PROGR
 
 TEST(Output, AFullDiskUnderTheLogCostsTheLogAlone) {
   const SmallJob job;
-  const std::string call = fmt::format("run {} --flow {} --seeds 1 --out ", job.path("scene.toml").string(), job.path("flow.h5").string());
+  const std::string call =
+      fmt::format("run {} --flow {} --seeds 1 --out ", job.path("scene.toml").string(), job.path("flow.h5").string());
   EXPECT_EQ(shell(call + job.path("a").string() + " > /dev/null 2> /dev/full"), 0);
   EXPECT_EQ(shell(call + job.path("b").string() + " > /dev/full 2> " + job.path("log").string()), 1);
   EXPECT_THAT(text_of(job.path("log")), HasSubstr("clog: standard output cannot be written (disk full?)"));
@@ -185,8 +186,10 @@ TEST(Scene, APipeIsNotWaitedFor) {
 
 TEST(Flow, WithANaNInTheField) {
   const SmallJob job;
-  const std::string put_nan = "import h5py, sys; h5py.File(sys.argv[1], 'r+')['VTKHDF/PointData/U'][3, 5, 7, 0] = float('nan')";
-  ASSERT_EQ(std::system(fmt::format("/usr/bin/python3 -c \"{}\" {}", put_nan, job.path("flow.h5").string()).c_str()), 0);
+  const std::string put_nan =
+      "import h5py, sys; h5py.File(sys.argv[1], 'r+')['VTKHDF/PointData/U'][3, 5, 7, 0] = float('nan')";
+  ASSERT_EQ(std::system(fmt::format("/usr/bin/python3 -c \"{}\" {}", put_nan, job.path("flow.h5").string()).c_str()),
+            0);
   const Program program = job.start("out", "1");
   EXPECT_EQ(program.wait(), 1);
   EXPECT_THAT(program.said(), HasSubstr("holds NaN or infinity at point"));
@@ -234,4 +237,4 @@ TEST(Directory, VanishingDuringTheRunIsSaid) {
 }
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

@@ -6,7 +6,7 @@
 #include "tests/coupling/refusal.hpp"
 #include "tests/faults/small_channel.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 struct Case {
@@ -78,8 +78,8 @@ INSTANTIATE_TEST_SUITE_P(
                          {"drag.fluctuation.strength=0.8", "drag.fluctuation.time=0.5 ms",
                           "flow.pulsation.strength=0.3", "flow.pulsation.time=1 ms"}},
                     Case{"NoFriction",
-                         {"contact.friction.sliding=0", "contact.friction.rolling=0",
-                          "contact.friction.torsion=0", "unclog.protocol=none"}},
+                         {"contact.friction.sliding=0", "contact.friction.rolling=0", "contact.friction.torsion=0",
+                          "unclog.protocol=none"}},
                     Case{"RarePorosity", {"porosity.update_interval=1 ms", "porosity.strips=5"}}),
     [](const auto& info) { return info.param.name; });
 
@@ -150,4 +150,4 @@ TEST(ExactRestartScenes, AStateCutShortOrTooLongIsRefused) {
 }
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

@@ -8,7 +8,7 @@
 #include "tests/coupling/refusal.hpp"
 #include "tests/faults/small_channel.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 using testing::HasSubstr;
@@ -73,16 +73,19 @@ TEST_F(ForgedStates, CutShortOrTooLongIsRefused) {
 
 TEST_F(ForgedStates, OfAnotherSeedIsRefused) {
   Simulation simulation(scene_, &flow_, 2);
-  EXPECT_THAT(refusal([&] { simulation.resume(flowing_); }), HasSubstr("a saved state is damaged (of another scene or seed)"));
+  EXPECT_THAT(refusal([&] { simulation.resume(flowing_); }),
+              HasSubstr("a saved state is damaged (of another scene or seed)"));
 }
 
 // Unlimited space: the places of particles are held in lists of cells whose numbers must fit an int.
 TEST(FarAway, ParticlesInFreeFlightNeedNoMoreCells) {
-  Laboratory lab(laboratory_scene({}, 1e-4), {{.radius = 0.01, .x = -1e200}, {.radius = 0.01, .x = 1e200},
-                                              {.radius = 0.01, .x = 0}, {.radius = 0.01, .x = 0.0199}});
+  Laboratory lab(laboratory_scene({}, 1e-4), {{.radius = 0.01, .x = -1e200},
+                                              {.radius = 0.01, .x = 1e200},
+                                              {.radius = 0.01, .x = 0},
+                                              {.radius = 0.01, .x = 0.0199}});
   lab.step();
   EXPECT_EQ(lab->pair_tally().contacts, 1);
 }
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

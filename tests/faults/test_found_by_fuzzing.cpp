@@ -1,20 +1,21 @@
 // What tests/fuzz found, kept: one test a finding.
 #include <gmock/gmock.h>
 
-#include "coupling/foam_samples.hpp"
-#include "coupling/units.hpp"
+#include "coupling/base/units.hpp"
+#include "coupling/openfoam/foam_samples.hpp"
 #include "tests/coupling/flow_scene.hpp"
 #include "tests/coupling/refusal.hpp"
 #include "tests/coupling/scene_texts.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 using testing::HasSubstr;
 using testing::Not;
 
 TEST(FoundByFuzzing, AMessageStaysOneLineWhateverItQuotes) {
-  EXPECT_THAT(refusal([] { parse_quantity("1 a\nb\x1b[31m"); }), testing::AllOf(Not(HasSubstr("\n")), Not(HasSubstr("\x1b"))));
+  EXPECT_THAT(refusal([] { parse_quantity("1 a\nb\x1b[31m"); }),
+              testing::AllOf(Not(HasSubstr("\n")), Not(HasSubstr("\x1b"))));
   EXPECT_THAT(refusal([] { parse_scene(channel, "a", {"inlet.\nsti"}); }), Not(HasSubstr("\n")));
 }
 
@@ -22,9 +23,11 @@ TEST(FoundByFuzzing, AMessageStaysOneLineWhateverItQuotes) {
 TEST(FoundByFuzzing, ASampleTooLargeForTheGridIsRefused) {
   const ScratchFolder folder;
   write_file(folder.path() / "quarter_U.xy", "5e-06 5e-06 5e-06 1e300 0 0\n");
-  const FlowLattice lattice{.spacing = 1e-5, .x_begin = -3, .x_end = 2, .x_sampled = -2, .y_sampled = 0, .half_width = 2, .height = 4};
-  EXPECT_THAT(refusal([&] { read_foam_samples(folder.path() / "quarter_U.xy", lattice); }), HasSubstr("expected six finite numbers"));
+  const FlowLattice lattice{
+      .spacing = 1e-5, .x_begin = -3, .x_end = 2, .x_sampled = -2, .y_sampled = 0, .half_width = 2, .height = 4};
+  EXPECT_THAT(refusal([&] { read_foam_samples(folder.path() / "quarter_U.xy", lattice); }),
+              HasSubstr("expected six finite numbers"));
 }
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

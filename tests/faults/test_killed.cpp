@@ -3,10 +3,10 @@
 
 #include <gmock/gmock.h>
 
-#include "dem/checkpoint.hpp"
+#include "dem/run/checkpoint.hpp"
 #include "tests/faults/program.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 using testing::HasSubstr;
@@ -93,14 +93,15 @@ TEST(TwoCalls, OnOneDirectoryShareTheSeeds) {
   const Program first = job.start("out", "1-2");
   ASSERT_TRUE(appears(job.path("out/run_0001.state")));
   first.send(SIGSTOP);
-  const Program second({"run", job.path("scene.toml"), "--flow", job.path("flow.h5"), "--out",
-                        job.path("out"), "--seeds", "1-2"},
-                       job.path("log_of_second"));
+  const Program second(
+      {"run", job.path("scene.toml"), "--flow", job.path("flow.h5"), "--out", job.path("out"), "--seeds", "1-2"},
+      job.path("log_of_second"));
   // It neither does what the first is at work on nor waits for it.
   EXPECT_EQ(second.wait(), 0) << second.said();
   EXPECT_THAT(second.said(), Not(HasSubstr("seed 1: ")));
   EXPECT_THAT(second.said(), HasSubstr("seed 2: "));
-  EXPECT_THAT(second.said(), HasSubstr("1 of 2 seeds are left to other calls that are at work on them, such as process "));
+  EXPECT_THAT(second.said(),
+              HasSubstr("1 of 2 seeds are left to other calls that are at work on them, such as process "));
   first.send(SIGCONT);
   EXPECT_EQ(first.wait(), 0) << first.said();
   EXPECT_THAT(first.said(), Not(HasSubstr("seed 2: ")));
@@ -117,4 +118,4 @@ TEST(TwoCalls, ALockOfADeadProcessHoldsNothing) {
 }
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

@@ -3,7 +3,7 @@
 
 #include "tests/faults/mpi_job.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 using testing::HasSubstr;
@@ -102,4 +102,4 @@ TEST_F(KilledRanks, EfficiencyIsSaidAndEverySeedIsInTheLedger) {
 }
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

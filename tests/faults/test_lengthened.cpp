@@ -2,12 +2,12 @@
 // on the way.
 #include <gmock/gmock.h>
 
-#include "coupling/scene_difference.hpp"
-#include "dem/checkpoint.hpp"
+#include "coupling/scene/scene_difference.hpp"
+#include "dem/run/checkpoint.hpp"
 #include "tests/coupling/refusal.hpp"
 #include "tests/faults/small_channel.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 using testing::HasSubstr;
@@ -35,8 +35,7 @@ RunData go_on(const Scene& scene, const FlowGrid* flow, const RunData& done) {
   const ScratchFolder folder;
   write_run_file(done, folder.path() / "run.h5");
   Simulation simulation(scene, flow, 3);
-  simulation.lengthen(read_run_file(folder.path() / "run.h5"),
-                      read_end_state(folder.path() / "run.h5"));
+  simulation.lengthen(read_run_file(folder.path() / "run.h5"), read_end_state(folder.path() / "run.h5"));
   return simulation.run();
 }
 
@@ -75,14 +74,11 @@ TEST_P(Lengthened, AStoppedOneGoesOnToALaterEndOrAnEarlierOneNotYetReached) {
 }
 
 TEST_P(Lengthened, OtherIntervalsChangeWhatIsWrittenDownFromThereOnAndNothingElse) {
-  const Scene whole =
-      scene("14 ms", {"output.series_interval=0.37 ms", "output.snapshot_interval=1.7 ms"});
+  const Scene whole = scene("14 ms", {"output.series_interval=0.37 ms", "output.snapshot_interval=1.7 ms"});
   const FlowGrid flow = synthetic_flow(whole);
   const RunData fine = Simulation(whole, &flow, 3).run();
   const RunData coarse =
-      Simulation(scene("6 ms", {"output.series_interval=2 ms", "output.snapshot_interval=0 s"}),
-                 &flow, 3)
-          .run();
+      Simulation(scene("6 ms", {"output.series_interval=2 ms", "output.snapshot_interval=0 s"}), &flow, 3).run();
   const RunData changed = go_on(whole, &flow, coarse);
   EXPECT_EQ(changed.passages.time, fine.passages.time);
   EXPECT_EQ(changed.passages.y, fine.passages.y);
@@ -94,8 +90,7 @@ TEST_P(Lengthened, OtherIntervalsChangeWhatIsWrittenDownFromThereOnAndNothingEls
   const auto later = [](const RunData& run) {
     std::vector<std::pair<double, double>> rows;
     for (std::size_t k = 0; k < run.series.time.size(); ++k)
-      if (run.series.time[k] > 0.006)
-        rows.emplace_back(run.series.time[k], run.series.dissipated[k]);
+      if (run.series.time[k] > 0.006) rows.emplace_back(run.series.time[k], run.series.dissipated[k]);
     return rows;
   };
   EXPECT_GT(later(fine).size(), 15u);
@@ -103,24 +98,20 @@ TEST_P(Lengthened, OtherIntervalsChangeWhatIsWrittenDownFromThereOnAndNothingEls
   std::vector<double> times;
   for (const auto& snapshot : changed.snapshots) times.push_back(snapshot.time);
   EXPECT_TRUE(std::ranges::is_sorted(times));
-  EXPECT_EQ(times.size(), 1 + std::ranges::count_if(fine.snapshots,
-                                                    [](const auto& s) { return s.time > 0.006; }));
+  EXPECT_EQ(times.size(), 1 + std::ranges::count_if(fine.snapshots, [](const auto& s) { return s.time > 0.006; }));
 }
 
 // NOLINTNEXTLINE(cert-err58-cpp)
 INSTANTIATE_TEST_SUITE_P(
     Scenes, Lengthened,
-    testing::Values(Case{"Release", {}},
-                    Case{"StartEmpty", {"inlet.start=empty", "inlet.rate=2000 1/s"}},
+    testing::Values(Case{"Release", {}}, Case{"StartEmpty", {"inlet.start=empty", "inlet.rate=2000 1/s"}},
                     Case{"GivenStep", {}, 0.7e-6},
-                    Case{"ImplicitFluid",
-                         {"time.integrator=implicit_fluid", "lubrication.walls=true"}},
+                    Case{"ImplicitFluid", {"time.integrator=implicit_fluid", "lubrication.walls=true"}},
                     Case{"Noise",
                          {"drag.fluctuation.strength=0.8", "drag.fluctuation.time=0.5 ms",
                           "flow.pulsation.strength=0.3", "flow.pulsation.time=1 ms"}},
                     Case{"ShareOfTheLimit",
-                         {"time.step_fraction=1", "time.contact_limit_share=0.3",
-                          "output.snapshot_interval=0 s"}}),
+                         {"time.step_fraction=1", "time.contact_limit_share=0.3", "output.snapshot_interval=0 s"}}),
     [](const auto& info) { return info.param.name; });
 
 TEST(LengthenedRefusals, AStateBeyondTheEndAndOfAnotherScene) {
@@ -149,20 +140,17 @@ TEST(SceneDifferences, AreFoundByValueWhereverTheyStand) {
   const std::string one =
       "[particles]\ndiameter = \"3.3e-05 m\"\n\n[geometry]\nhalf_angle = \"1.0471975511965976 "
       "rad\"\n";
-  EXPECT_TRUE(scene_differences(
-                  one, "[geometry]\nhalf_angle = \"60 deg\"\n\n[particles]\ndiameter = \"33 um\"\n")
-                  .empty());
+  EXPECT_TRUE(
+      scene_differences(one, "[geometry]\nhalf_angle = \"60 deg\"\n\n[particles]\ndiameter = \"33 um\"\n").empty());
   const auto longer = scene_differences(one, one + "\n[time]\nend = \"1 s\"\n");
   ASSERT_EQ(longer.size(), 1u);
   EXPECT_EQ(longer[0].words(), "time.end = nothing, now \"1 s\"");
-  EXPECT_EQ(scene_differences(one + "\n[time]\nend = \"1 s\"\n", one)[0].words(),
-            "time.end = \"1 s\", now nothing");
-  const auto wider = scene_differences(
-      one, "[particles]\ndiameter = \"34 um\"\n\n[geometry]\nhalf_angle = \"60 deg\"\n");
-  EXPECT_EQ(find_role(wider, KeyRole::trajectory)->words(),
-            "particles.diameter = \"3.3e-05 m\", now \"34 um\"");
+  EXPECT_EQ(scene_differences(one + "\n[time]\nend = \"1 s\"\n", one)[0].words(), "time.end = \"1 s\", now nothing");
+  const auto wider =
+      scene_differences(one, "[particles]\ndiameter = \"34 um\"\n\n[geometry]\nhalf_angle = \"60 deg\"\n");
+  EXPECT_EQ(find_role(wider, KeyRole::trajectory)->words(), "particles.diameter = \"3.3e-05 m\", now \"34 um\"");
   EXPECT_FALSE(find_role(wider, KeyRole::length));
 }
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

@@ -2,10 +2,10 @@
 // not; what belongs to another scene is refused and stays as it is.
 #include <gmock/gmock.h>
 
-#include "dem/checkpoint.hpp"
+#include "dem/run/checkpoint.hpp"
 #include "tests/faults/mpi_job.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 using testing::HasSubstr;
@@ -13,10 +13,8 @@ using testing::Not;
 
 class LongerCalls : public testing::Test {
 protected:
-  std::vector<std::string> words(const std::string& out, const std::string& seeds,
-                                 const std::string& end) const {
-    return {"run",   job_.path("scene.toml"), "--flow",  job_.path("flow.h5"),
-            "--out", job_.path(out),          "--seeds", seeds,
+  std::vector<std::string> words(const std::string& out, const std::string& seeds, const std::string& end) const {
+    return {"run",   job_.path("scene.toml"), "--flow", job_.path("flow.h5"), "--out", job_.path(out), "--seeds", seeds,
             "--set", "time.end=" + end};
   }
 
@@ -27,8 +25,7 @@ protected:
     return program.said();
   }
 
-  static std::vector<std::string> with(std::vector<std::string> words,
-                                       const std::vector<std::string>& more) {
+  static std::vector<std::string> with(std::vector<std::string> words, const std::vector<std::string>& more) {
     words.insert(words.end(), more.begin(), more.end());
     return words;
   }
@@ -37,8 +34,7 @@ protected:
     for (int seed = 1; seed <= seeds; ++seed)
       EXPECT_TRUE(job_.result(a, seed) == job_.result(b, seed)) << "seed " << seed;
     for (const auto& entry : std::filesystem::directory_iterator(job_.path(a)))
-      EXPECT_THAT(entry.path().extension().string(), testing::AnyOf(".h5", ".xmf", ".csv"))
-          << entry.path();
+      EXPECT_THAT(entry.path().extension().string(), testing::AnyOf(".h5", ".xmf", ".csv")) << entry.path();
     EXPECT_FALSE(std::filesystem::exists(job_.path(a) / "shorter_0001.h5"));
   }
 
@@ -90,8 +86,7 @@ TEST_F(LongerCalls, AStoppedOneGoesOnWithAnotherEndOrAnotherIntervalOfStates) {
   stopped.send(SIGTERM);
   stopped.wait();
   const std::string state = text_of(job_.path("out/run_0001.state"));
-  EXPECT_THAT(call(1, unfilled("out", "10 us")),
-              HasSubstr("beyond time.end = 1e-05 s: raise time.end"));
+  EXPECT_THAT(call(1, unfilled("out", "10 us")), HasSubstr("beyond time.end = 1e-05 s: raise time.end"));
   EXPECT_TRUE(text_of(job_.path("out/run_0001.state")) == state);
   Simulation at(small_channel({"time.end=2 s", "inlet.start=empty"}), &job_.flow, 1);
   at.resume(unpack_state(state).state);
@@ -113,10 +108,8 @@ TEST_F(LongerCalls, AnotherDiameterIsRefusedForAnySeedOfTheFolder) {
   EXPECT_TRUE(text_of(job_.path("out/run_0001.h5")) == before);
   EXPECT_THAT(call(0, words("out", "2", "5 ms")),
               HasSubstr("has another length (time.end = \"0.004 s\", now \"0.005 s\")"));
-  EXPECT_THAT(
-      call(0, with(words("out", "1", "4 ms"), {"--set", "output.snapshot_interval=1 ms"})),
-      HasSubstr(
-          "seed 1: already done, with output.snapshot_interval = \"0.005 s\", now \"0.001 s\""));
+  EXPECT_THAT(call(0, with(words("out", "1", "4 ms"), {"--set", "output.snapshot_interval=1 ms"})),
+              HasSubstr("seed 1: already done, with output.snapshot_interval = \"0.005 s\", now \"0.001 s\""));
 }
 
 TEST_F(LongerCalls, WhatWasSetAsideComesBackAndIsNeverLost) {
@@ -147,12 +140,9 @@ TEST_F(LongerCalls, AFileThatHoldsNoStateOrAnotherBuildsStaysUnderItsName) {
   call(0, words("out", "1", "4 ms"));
   RunData run = read_run_file(job_.path("out/run_0001.h5"));
   write_run_file(run, job_.path("out/run_0001.h5"));
-  EXPECT_THAT(
-      call(1, words("out", "1", "6 ms")),
-      HasSubstr("run_0001.h5: ends before time.end = 0.006 s and holds no state to go on from"));
-  OwnedState other{
-      {effective_scene(job_.scene), run.provenance["inputs_hash"], "another build", "avx2", 1},
-      "state"};
+  EXPECT_THAT(call(1, words("out", "1", "6 ms")),
+              HasSubstr("run_0001.h5: ends before time.end = 0.006 s and holds no state to go on from"));
+  OwnedState other{{effective_scene(job_.scene), run.provenance["inputs_hash"], "another build", "avx2", 1}, "state"};
   other.owner.scene_text = run.scene_text;
   run.end_state = pack_state(other);
   write_run_file(run, job_.path("out/run_0001.h5"));
@@ -163,4 +153,4 @@ TEST_F(LongerCalls, AFileThatHoldsNoStateOrAnotherBuildsStaysUnderItsName) {
 }
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

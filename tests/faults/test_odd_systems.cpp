@@ -5,10 +5,10 @@
 
 #include <gmock/gmock.h>
 
-#include "dem/seed_lock.hpp"
+#include "ensemble/seed_lock.hpp"
 #include "tests/faults/mpi_job.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 using testing::HasSubstr;
@@ -38,10 +38,8 @@ Environment odd(const char* name, long value) {
                       {name, std::to_string(value)}});
 }
 
-std::vector<std::string> words(const SmallJob& job, const std::string& out,
-                               const std::string& seeds) {
-  return {"run",   job.path("scene.toml"), "--flow",  job.path("flow.h5"),
-          "--out", job.path(out),          "--seeds", seeds};
+std::vector<std::string> words(const SmallJob& job, const std::string& out, const std::string& seeds) {
+  return {"run", job.path("scene.toml"), "--flow", job.path("flow.h5"), "--out", job.path(out), "--seeds", seeds};
 }
 
 bool saved(const SmallJob& job, const std::string& out, std::uint64_t seed) {
@@ -55,8 +53,7 @@ TEST(SlowDisk, CtrlCUnderMpirunSavesTheStateOfEveryRank) {
   for (const int signal : {SIGINT, SIGTERM}) {
     const std::string out = fmt::format("out_{}", signal);
     MpiJob mpi({"-np", "2"}, words(job, out, "1-2"), job.path("log_" + out));
-    ASSERT_TRUE(appears(job.path(out) / "run_0001.lock") &&
-                appears(job.path(out) / "run_0002.lock"));
+    ASSERT_TRUE(appears(job.path(out) / "run_0001.lock") && appears(job.path(out) / "run_0002.lock"));
     sleep_ms(700);
     ASSERT_FALSE(mpi.ended()) << mpi.said();
     mpi.send(signal);
@@ -92,8 +89,7 @@ TEST(ClockThatGoesBack, WritesNoNegativeDuration) {
   int entries = 0;
   for (std::string line; std::getline(ledger, line);) {
     double began = 0, ended = 0;
-    if (std::sscanf(line.c_str(), "%*[^,],%*[^,],%*[^,],%*[^,],%lf,%lf", &began, &ended) != 2)
-      continue;
+    if (std::sscanf(line.c_str(), "%*[^,],%*[^,],%*[^,],%*[^,],%lf,%lf", &began, &ended) != 2) continue;
     ++entries;
     EXPECT_GE(ended, began) << line;
     EXPECT_LT(ended - began, 500) << line;
@@ -145,25 +141,22 @@ TEST(ForeignLock, IsReadToLockItAndItsOwnerIsNamed) {
   EXPECT_EQ(seen_by_nobody(run), "free");
   write_file(lock, "call process 1 of user root on here\n");
   ::chmod(lock.c_str(), 0600);
-  EXPECT_THAT(
-      seen_by_nobody(run),
-      testing::AllOf(HasSubstr("run_0001.lock (belongs to user root, whose lock cannot be tried"),
-                     HasSubstr("or give another --out")));
+  EXPECT_THAT(seen_by_nobody(run),
+              testing::AllOf(HasSubstr("run_0001.lock (belongs to user root, whose lock cannot be tried"),
+                             HasSubstr("or give another --out")));
 }
 
 // The names of calls repeat in containers, where process numbers do.
 TEST(RepeatedCall, TriesAgainWhatFailedBefore) {
   const SmallJob job({"time.end=2 ms"});
-  const Environment call(
-      {{"OMPI_COMM_WORLD_RANK", "0"}, {"OMPI_COMM_WORLD_SIZE", "2"}, {"PMIX_NAMESPACE", "7"}});
+  const Environment call({{"OMPI_COMM_WORLD_RANK", "0"}, {"OMPI_COMM_WORLD_SIZE", "2"}, {"PMIX_NAMESPACE", "7"}});
   write_file(job.path("out/run_0001.failed"), "7\nno room on the disk\n");
   write_file(job.path("out/ensemble.csv"),
              "call,rank,host,seed,began_unix_s,ended_unix_s,outcome,point\n7,0,here,1,1.0,2.0,"
              "failed,\"\"\n7,0,here,9,1.0,2.0,failed,\"\"\n");
   const Program again(words(job, "out", "1-2"), job.path("log"));
   EXPECT_EQ(again.wait(), 0) << again.said();
-  EXPECT_THAT(again.said(),
-              HasSubstr("seed 1: failed before (no room on the disk); is tried again"));
+  EXPECT_THAT(again.said(), HasSubstr("seed 1: failed before (no room on the disk); is tried again"));
   EXPECT_TRUE(std::filesystem::exists(job.path("out/run_0001.h5")));
   EXPECT_FALSE(std::filesystem::exists(job.path("out/run_0001.failed")));
 }
@@ -180,8 +173,7 @@ TEST(UnknownInstructionSet, IsSaidOnceBeforeAnySeed) {
 TEST(UnknownVerb, IsNamedWithTheNearest) {
   const ScratchFolder folder;
   for (const auto& [verb, answer] :
-       {std::pair{"rnu", "no verb \"rnu\": is \"run\" meant?"},
-        std::pair{"reprot", "is \"report\" meant?"},
+       {std::pair{"rnu", "no verb \"rnu\": is \"run\" meant?"}, std::pair{"reprot", "is \"report\" meant?"},
         std::pair{"calculate", "no verb \"calculate\": known are plan, case, walls, map, run, "}}) {
     const Program program({verb, "x"}, folder.path() / "log");
     EXPECT_EQ(program.wait(), 2);
@@ -190,4 +182,4 @@ TEST(UnknownVerb, IsNamedWithTheNearest) {
 }
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

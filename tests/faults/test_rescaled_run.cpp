@@ -3,7 +3,7 @@
 
 #include "tests/faults/program.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 using testing::AllOf;
@@ -26,10 +26,11 @@ TEST(RescaledRun, RefusesAnotherRateUnlessToldToScale) {
   EXPECT_THAT(run.said(), HasSubstr("the flow is scaled by 0.8; that leaves out 0.68 % of the neck's mean velocity"));
 
   // The particles see the slower flow: the run is that of a flow made for its own rate.
-  const SmallJob own({"time.end=10 ms", "flow.mean_velocity=4 mm/s", "flow.rescale=true", "porosity.update_interval=10 us",
-                      "output.series_interval=1 ms"});
+  const SmallJob own({"time.end=10 ms", "flow.mean_velocity=4 mm/s", "flow.rescale=true",
+                      "porosity.update_interval=10 us", "output.series_interval=1 ms"});
   EXPECT_EQ(own.complete("own", "1"), "");
-  const RunData a = read_run_file(job.path("scaled") / run_file_name(1)), b = read_run_file(own.path("own") / run_file_name(1));
+  const RunData a = read_run_file(job.path("scaled") / run_file_name(1)),
+                b = read_run_file(own.path("own") / run_file_name(1));
   EXPECT_EQ(a.scene_text, b.scene_text);
   ASSERT_EQ(a.series.time.size(), b.series.time.size());
   // Scaled numbers are rounded once more, to 1e-7: the packs differ, not what fills the channel.
@@ -41,4 +42,4 @@ TEST(RescaledRun, RefusesAnotherRateUnlessToldToScale) {
 }
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

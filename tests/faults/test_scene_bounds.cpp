@@ -4,12 +4,12 @@
 
 #include <gmock/gmock.h>
 
-#include "coupling/require.hpp"
-#include "coupling/scene.hpp"
-#include "coupling/scene_keys.hpp"
+#include "coupling/base/require.hpp"
+#include "coupling/scene/scene.hpp"
+#include "coupling/scene/scene_keys.hpp"
 #include "tests/coupling/scene_texts.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 using testing::HasSubstr;
@@ -60,8 +60,10 @@ void expect_in_range(const Key& key, const std::string& value, const Range& rang
 void at_one_bound(const Key& key, Dimension dimension, const Range& range, double bound, double outward) {
   const bool allowed = outward < 0 ? range.low_allowed : range.high_allowed;
   const double beyond = std::nextafter(bound, outward * 1e300), within = std::nextafter(bound, -outward * 1e300);
-  if (allowed) expect_in_range(key, written(bound, dimension), range);
-  else expect_refused(key, written(bound, dimension));
+  if (allowed)
+    expect_in_range(key, written(bound, dimension), range);
+  else
+    expect_refused(key, written(bound, dimension));
   expect_refused(key, written(beyond, dimension));
   expect_in_range(key, written(within, dimension), range);
 }
@@ -74,8 +76,10 @@ struct TryOut {
     if (std::isfinite(range.high)) at_one_bound(key, dimension, range, range.high, 1);
     for (const double extreme : {1e-300, 1e-30, 1e30, 1e300, -1e300}) {
       const std::string value = written(extreme, dimension);
-      if (range.contains(extreme)) expect_in_range(key, value, range);
-      else expect_refused(key, value);
+      if (range.contains(extreme))
+        expect_in_range(key, value, range);
+      else
+        expect_refused(key, value);
     }
     for (const char* never : {"nan", "inf", "-inf", "1e999", "[]", "{}", "true", "\"\"", "1979-05-27", "m", "1 m m m"})
       expect_refused(key, never);
@@ -110,17 +114,20 @@ struct TryOut {
     expect_clear(key, "text", answer(key.path, "\"no such \\n thing\""));
   }
   void operator()(const TextsSlot&) const {
-    for (const char* bad : {"1", "true", "\"text\"", "[1]", "[\"no such key = 1\"]", "[\"time.end\"]", "[\"time.end=\"]"})
+    for (const char* bad :
+         {"1", "true", "\"text\"", "[1]", "[\"no such key = 1\"]", "[\"time.end\"]", "[\"time.end=\"]"})
       expect_refused(key, bad);
     for (const char* good : {"[]", "[\"time.mass_scale = 1, 2\"]"}) EXPECT_EQ(answer(key.path, good), "") << good;
   }
   void operator()(const WordSlot& slot) const {
     for (const char* bad : {"1", "\"\"", "\"no such word\"", "true", "[]"}) expect_refused(key, bad);
-    for (const std::string_view word : slot.words) expect_clear(key, std::string(word), answer(key.path, std::string(word)));
+    for (const std::string_view word : slot.words)
+      expect_clear(key, std::string(word), answer(key.path, std::string(word)));
   }
   void operator()(const SeedsSlot&) const {
-    for (const char* bad : {"\"\"", "\"a\"", "\"1-\"", "\"-1\"", "-1", "\"5-1\"", "\"1,,2\"", "1.5", "\"1-99999999999\"",
-                            "\"18446744073709551616\"", "\"0-18446744073709551615\"", "[1, 1.5]", "true"})
+    for (const char* bad :
+         {"\"\"", "\"a\"", "\"1-\"", "\"-1\"", "-1", "\"5-1\"", "\"1,,2\"", "1.5", "\"1-99999999999\"",
+          "\"18446744073709551616\"", "\"0-18446744073709551615\"", "[1, 1.5]", "true"})
       expect_refused(key, bad);
     for (const char* good : {"1", "\"999999999\"", "\"1-40\"", "[3, 1]"}) EXPECT_EQ(answer(key.path, good), "") << good;
   }
@@ -140,4 +147,4 @@ INSTANTIATE_TEST_SUITE_P(Keys, SceneBounds, testing::Range(std::size_t{0}, scene
 });
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

@@ -1,10 +1,10 @@
 // Damaged and foreign states: recognised, said, the one before used; never a wrong result.
 #include <gmock/gmock.h>
 
-#include "dem/checkpoint.hpp"
+#include "dem/run/checkpoint.hpp"
 #include "tests/faults/program.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 using testing::HasSubstr;
@@ -47,7 +47,9 @@ protected:
   inline static std::string newest_, older_;
 };
 
-TEST_F(States, WholeOnesAreUsedInSilence) { EXPECT_THAT(resume(newest_, older_), Not(testing::AnyOf(HasSubstr("not used"), HasSubstr("anew")))); }
+TEST_F(States, WholeOnesAreUsedInSilence) {
+  EXPECT_THAT(resume(newest_, older_), Not(testing::AnyOf(HasSubstr("not used"), HasSubstr("anew"))));
+}
 
 TEST_F(States, CutShortAnywhereTheOneBeforeIsUsed) {
   for (const std::size_t length : {std::size_t{0}, std::size_t{40}, newest_.size() - 1}) {
@@ -62,7 +64,8 @@ TEST_F(States, CutShortAnywhereTheOneBeforeIsUsed) {
 TEST_F(States, AFlippedByteAnywhereIsNoticed) {
   for (const std::size_t at : {std::size_t{0}, std::size_t{20}, newest_.size() / 2})
     EXPECT_THAT(resume(flipped(newest_, at), older_),
-                testing::AllOf(HasSubstr("run_0001.state is not used: "), HasSubstr("goes on from "))) << at;
+                testing::AllOf(HasSubstr("run_0001.state is not used: "), HasSubstr("goes on from ")))
+        << at;
 }
 
 TEST_F(States, BothBadTheRunStartsAnew) {
@@ -89,9 +92,8 @@ TEST_F(States, ABadNewestNeverReplacesTheGoodOlder) {
   write_file(folder / "run_0001.state.old", older_);
   // Room for 4 kB a file: no new state can be written, nor the result.
   const std::string call = fmt::format(
-      "(trap '' XFSZ; ulimit -f 4; exec {} run {} --flow {} --out {} --seeds 1) 2>&1 | cat > {}",
-      CLOG_PROGRAM, job_->path("scene.toml").string(), job_->path("flow.h5").string(),
-      folder.string(), job_->path("log").string());
+      "(trap '' XFSZ; ulimit -f 4; exec {} run {} --flow {} --out {} --seeds 1) 2>&1 | cat > {}", CLOG_PROGRAM,
+      job_->path("scene.toml").string(), job_->path("flow.h5").string(), folder.string(), job_->path("log").string());
   std::system(call.c_str());
   const std::string said = text_of(job_->path("log"));
   EXPECT_THAT(said, HasSubstr("the state could not be saved: "));
@@ -117,8 +119,11 @@ std::string refused(const SmallJob& job, const std::string& folder, const std::s
 
 TEST_F(States, OfAnotherSceneSeedFlowOrBuildAreRefusedAndKept) {
   const std::string flow = job_->path("flow.h5");
-  EXPECT_THAT(refused(*job_, "scene", "run_0001.state", newest_, {"--seeds", "1", "--flow", flow, "--set", "contact.friction.sliding=0.5"}),
-              HasSubstr("run_0001.state: was made for another scene (contact.friction.sliding = 0.6, now 0.5): give another --out"));
+  EXPECT_THAT(
+      refused(*job_, "scene", "run_0001.state", newest_,
+              {"--seeds", "1", "--flow", flow, "--set", "contact.friction.sliding=0.5"}),
+      HasSubstr(
+          "run_0001.state: was made for another scene (contact.friction.sliding = 0.6, now 0.5): give another --out"));
   EXPECT_THAT(refused(*job_, "seed", "run_0002.state", newest_, {"--flow", flow, "--seeds", "2"}),
               HasSubstr("run_0002.state belongs to seed 1: give another --out, or remove it"));
   // Solved again on another mesh: the same scene, other numbers.
@@ -145,8 +150,9 @@ TEST_F(States, AFinishedFileOfAnotherFlowIsNotTakenForThisOne) {
   write_flow_grid(other, job_->path("other.h5"));
   std::filesystem::create_directories(job_->path("done"));
   std::filesystem::copy_file(job_->path("undisturbed/run_0001.h5"), job_->path("done/run_0001.h5"));
-  const Program done({"run", job_->path("scene.toml"), "--flow", job_->path("other.h5"), "--out", job_->path("done"), "--seeds", "1"},
-                     job_->path("log"));
+  const Program done(
+      {"run", job_->path("scene.toml"), "--flow", job_->path("other.h5"), "--out", job_->path("done"), "--seeds", "1"},
+      job_->path("log"));
   EXPECT_EQ(done.wait(), 1);
   EXPECT_THAT(done.said(), HasSubstr("was made with another flow, or other files of particles or walls"));
 }
@@ -180,4 +186,4 @@ TEST(BlowUp, KeepsTheStateBeforeAndHappensAgainInTheSameStep) {
 }
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

@@ -3,7 +3,7 @@
 
 #include "tests/faults/mpi_job.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 using testing::HasSubstr;
@@ -16,7 +16,8 @@ TEST(TimeLimit, StopsAllRanksAndLosesNothing) {
   const auto before = std::chrono::steady_clock::now();
   ASSERT_EQ(job.complete("undisturbed", all), "");
   const std::chrono::duration<double> whole = std::chrono::steady_clock::now() - before;
-  const std::vector<std::string> words{"run", job.path("scene.toml"), "--flow", job.path("flow.h5"), "--out", job.path("out"), "--seeds", all};
+  const std::vector<std::string> words{"run",   job.path("scene.toml"), "--flow",  job.path("flow.h5"),
+                                       "--out", job.path("out"),        "--seeds", all};
   auto limited = words;
   limited.insert(limited.end(), {"--time-limit", fmt::format("{} s", 0.25 * whole.count())});
   MpiJob mpi({"-np", "2"}, limited, job.path("log_out"));
@@ -41,4 +42,4 @@ TEST_P(BadLimit, IsRefusedInOneLine) {
 INSTANTIATE_TEST_SUITE_P(Values, BadLimit, testing::Values("0 s", "1e300 s", "-5 min", "5 m", "5", "soon"));
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

@@ -4,10 +4,10 @@
 
 #include <gmock/gmock.h>
 
-#include "postprocess/stopping_rule.hpp"
+#include "postprocess/summary/stopping_rule.hpp"
 #include "tests/faults/mpi_job.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 using testing::HasSubstr;
@@ -27,9 +27,13 @@ protected:
     rule_ = fmt::format("passages>={}", passages);
   }
 
-  std::vector<std::string> words(const std::string& out, const std::string& rule, const std::string& seeds = "1-8") const {
-    return {"run",   job_.path("scene.toml"), "--flow", job_.path("flow.h5"), "--out", job_.path(out),
-            "--seeds", seeds,                 "--until", rule};
+  std::vector<std::string> words(const std::string& out, const std::string& rule,
+                                 const std::string& seeds = "1-8") const {
+    return {"run",     job_.path("scene.toml"),
+            "--flow",  job_.path("flow.h5"),
+            "--out",   job_.path(out),
+            "--seeds", seeds,
+            "--until", rule};
   }
 
   Program start(const std::string& out, const std::string& rule, const std::string& seeds = "1-8") const {
@@ -70,7 +74,8 @@ TEST_F(Until, ThreeRanksDecideTheSameAndWhatTheyDidAheadDoesNotCount) {
   EXPECT_EQ(mpi.wait(), 0) << mpi.said();
   EXPECT_THAT(mpi.said(), HasSubstr("is met by the first 4 of 8 seeds"));
   expect_first_four("three");
-  const Program stats({"stats", job_.path("three"), "--out", job_.path("stats"), "--threshold", "1 ms"}, job_.path("log_stats"));
+  const Program stats({"stats", job_.path("three"), "--out", job_.path("stats"), "--threshold", "1 ms"},
+                      job_.path("log_stats"));
   EXPECT_EQ(stats.wait(), 0) << stats.said();
   EXPECT_THAT(stats.said(), HasSubstr(": 4 seeds, "));
 }
@@ -135,4 +140,4 @@ TEST_F(Until, ARuleThatIsNoneIsRefusedBeforeAnythingRuns) {
 }
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

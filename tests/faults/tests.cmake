@@ -28,7 +28,7 @@ add_library(odd_system SHARED faults/odd_system.c)
 target_link_libraries(odd_system PRIVATE ${CMAKE_DL_LIBS})
 clog_tests(test_odd_systems
   SOURCES faults/test_odd_systems.cpp
-  LIBRARIES clog_dem LABELS faults)
+  LIBRARIES clog_ensemble LABELS faults)
 target_compile_definitions(test_odd_systems PRIVATE CLOG_PROGRAM="$<TARGET_FILE:clog>"
   CLOG_ODD_SYSTEM="$<TARGET_FILE:odd_system>")
 add_dependencies(test_odd_systems clog odd_system)

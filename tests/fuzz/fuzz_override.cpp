@@ -1,8 +1,9 @@
 // --set key=value on a scene that is otherwise good.
-#include "coupling/scene.hpp"
+#include "coupling/scene/scene.hpp"
 #include "tests/coupling/scene_texts.hpp"
 #include "tests/fuzz/one_input.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  return clog::fuzz::try_input([&] { clog::parse_scene(clog::channel, "scene.toml", {clog::fuzz::as_text(data, size)}); });
+  return clogflow::fuzz::try_input(
+      [&] { clogflow::parse_scene(clogflow::channel, "scene.toml", {clogflow::fuzz::as_text(data, size)}); });
 }

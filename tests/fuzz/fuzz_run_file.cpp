@@ -1,7 +1,7 @@
 // run_NNNN.h5, mutated.
-#include "coupling/run_file.hpp"
+#include "coupling/files/run_file.hpp"
 #include "tests/fuzz/one_input.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  return clog::fuzz::try_input([&] { clog::read_run_file(clog::fuzz::as_file(data, size)); });
+  return clogflow::fuzz::try_input([&] { clogflow::read_run_file(clogflow::fuzz::as_file(data, size)); });
 }

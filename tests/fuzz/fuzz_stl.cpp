@@ -1,12 +1,12 @@
 // Walls from an STL file, text or binary, and their triangles joined.
-#include "coupling/stl.hpp"
-#include "coupling/wall_mesh.hpp"
+#include "coupling/geometry/stl.hpp"
+#include "coupling/geometry/wall_mesh.hpp"
 #include "tests/fuzz/one_input.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  return clog::fuzz::try_input([&] {
-    const clog::Walls walls = clog::read_stl(clog::fuzz::as_file(data, size));
-    clog::fuzz::must(!walls.empty(), "walls are not empty");
-    clog::open_rims(clog::join_walls(walls));
+  return clogflow::fuzz::try_input([&] {
+    const clogflow::Walls walls = clogflow::read_stl(clogflow::fuzz::as_file(data, size));
+    clogflow::fuzz::must(!walls.empty(), "walls are not empty");
+    clogflow::open_rims(clogflow::join_walls(walls));
   });
 }

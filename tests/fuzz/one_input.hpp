@@ -11,9 +11,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "coupling/require.hpp"
+#include "coupling/base/require.hpp"
 
-namespace clog::fuzz {
+namespace clogflow::fuzz {
 
 inline std::string as_text(const std::uint8_t* data, std::size_t size) {
   return {reinterpret_cast<const char*>(data), size};
@@ -22,11 +22,13 @@ inline std::string as_text(const std::uint8_t* data, std::size_t size) {
 /// The input as a file in memory if there is such a place; written anew for each input.
 inline std::filesystem::path as_file(const std::uint8_t* data, std::size_t size) {
   static const std::filesystem::path file =
-      (std::filesystem::is_directory("/dev/shm") ? std::filesystem::path("/dev/shm") : std::filesystem::temp_directory_path()) /
+      (std::filesystem::is_directory("/dev/shm") ? std::filesystem::path("/dev/shm")
+                                                 : std::filesystem::temp_directory_path()) /
       fmt::format("clogflow_fuzz_{}", getpid());
   static const int at_exit = std::atexit([] { std::filesystem::remove(file); });
   static_cast<void>(at_exit);
-  std::ofstream(file, std::ios::binary | std::ios::trunc).write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
+  std::ofstream(file, std::ios::binary | std::ios::trunc)
+      .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
   return file;
 }
 
@@ -52,4 +54,4 @@ inline void must(bool condition, const char* law) {
   std::abort();
 }
 
-}  // namespace clog::fuzz
+}  // namespace clogflow::fuzz

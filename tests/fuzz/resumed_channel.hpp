@@ -5,7 +5,7 @@
 
 #include "tests/faults/small_channel.hpp"
 
-namespace clog::fuzz {
+namespace clogflow::fuzz {
 
 /// Every term of the model; one at a time, for the flow must outlive it.
 inline std::optional<Simulation>& new_run() {
@@ -17,4 +17,4 @@ inline std::optional<Simulation>& new_run() {
   return run;
 }
 
-}  // namespace clog::fuzz
+}  // namespace clogflow::fuzz

@@ -7,7 +7,7 @@
 
 #include <sys/wait.h>
 
-namespace clog {
+namespace clogflow {
 
 struct ShellResult {
   int status;
@@ -30,4 +30,4 @@ inline ShellResult solve(const std::filesystem::path& folder) {
   return shell("sh '" + (folder / "Allrun").string() + "'");
 }
 
-}  // namespace clog
+}  // namespace clogflow

@@ -6,19 +6,19 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include "coupling/case_lock.hpp"
-#include "coupling/channel_shape.hpp"
-#include "coupling/duct_flow.hpp"
-#include "coupling/flow_flux.hpp"
-#include "coupling/foam_case_writer.hpp"
-#include "coupling/foam_samples.hpp"
-#include "coupling/map_flow.hpp"
-#include "coupling/text_file.hpp"
+#include "coupling/base/case_lock.hpp"
+#include "coupling/base/text_file.hpp"
+#include "coupling/flow/flow_flux.hpp"
+#include "coupling/flow/map_flow.hpp"
+#include "coupling/geometry/channel_shape.hpp"
+#include "coupling/geometry/duct_flow.hpp"
+#include "coupling/openfoam/foam_case_writer.hpp"
+#include "coupling/openfoam/foam_samples.hpp"
 #include "tests/coupling/flow_scene.hpp"
 #include "tests/coupling/refusal.hpp"
 #include "tests/pipeline/flow_case.hpp"
 
-namespace clog {
+namespace clogflow {
 namespace {
 
 namespace fs = std::filesystem;
@@ -92,10 +92,10 @@ TEST_P(CoarseFlow, ConservesMassAndDevelops) {
   for (const auto& surface : grid.provenance["grid_flux"])
     EXPECT_NEAR(surface["error"].get<double>(), 0, 0.03) << surface;
   EXPECT_LT(grid.provenance["grid_flux_largest_error"], 0.03);
-  // The midpoint rule itself misses h^2/24 of the walls' shear, which is the developed pressure gradient: 0.15 to 0.3 %.
-  // Beside the narrowing the shear is another one. Without the restored flow rate it would be 3 %.
+  // The midpoint rule itself misses h^2/24 of the walls' shear, which is the developed pressure gradient: 0.15 to 0.3
+  // %. Beside the narrowing the shear is another one. Without the restored flow rate it would be 3 %.
   const double rule = std::pow(grid.spacing, 2) * DuctFlow(g.channel_width, g.neck_height).resistance() / 24;
-  for (int i = 0; grid.origin.x() + i * grid.spacing <= -narrowing_length(scene); ++i)
+  for (int i = 0; grid.origin.x() + i * grid.spacing <= -narrowing_length(scene.geometry); ++i)
     EXPECT_NEAR(grid_plane(grid, i, scene).error, rule, 0.0015) << i;
   EXPECT_LT(grid.provenance["residuals"]["p"], 1e-5);
 
@@ -104,11 +104,10 @@ TEST_P(CoarseFlow, ConservesMassAndDevelops) {
   // the velocity rises.
   const DuctFlow wide(g.channel_width, g.neck_height), neck(g.neck_width, g.neck_height);
   EXPECT_LT(distance(grid, 0, wide, 5e-3), 1e-5);
-  const double bend = -narrowing_length(scene);
+  const double bend = -narrowing_length(scene.geometry);
   EXPECT_LT(distance(grid, plane(grid, bend - 1.15 * g.channel_width), wide, 5e-3), 0.2);
   const double neck_mean = 5e-3 * g.channel_width / g.neck_width;
-  EXPECT_LT(distance(grid, plane(grid, neck_start(scene) + 0.9 * g.neck_width), neck, neck_mean),
-            0.14);
+  EXPECT_LT(distance(grid, plane(grid, neck_start(scene.geometry) + 0.9 * g.neck_width), neck, neck_mean), 0.14);
   // Nowhere faster than the middle of the developed neck, nowhere backwards by more than the error
   // of these meshes in a corner: extrapolation does not overshoot.
   const Range axial = axial_velocities(grid);
@@ -120,17 +119,16 @@ const char* longer_neck = "geometry.neck_length=200 um";
 
 INSTANTIATE_TEST_SUITE_P(
     Shapes, CoarseFlow,
-    testing::Values(
-        Shape{"paper", {}}, Shape{"step", {"geometry.half_angle=90 deg"}},
-        Shape{"gentle", {"geometry.half_angle=10 deg"}},
-        Shape{"high_neck", {"geometry.neck_height=110 um"}},
-        Shape{"narrow", {"geometry.channel_width=150 um"}},
-        Shape{"duct", {"geometry.channel_width=100 um"}},
-        Shape{"rounded", {"geometry.neck_rounding=50 um", longer_neck}},
-        Shape{"expansion", {"geometry.expansion_width=300 um", longer_neck}},
-        Shape{"two_steps", {"geometry.step_width=200 um", "geometry.step_length=150 um"}},
-        Shape{"asymmetric", {"geometry.half_angle_below=30 deg"}},
-        Shape{"one_sided", {"geometry.half_angle=90 deg", "geometry.half_angle_below=20 deg"}}),
+    testing::Values(Shape{"paper", {}}, Shape{"step", {"geometry.half_angle=90 deg"}},
+                    Shape{"gentle", {"geometry.half_angle=10 deg"}},
+                    Shape{"high_neck", {"geometry.neck_height=110 um"}},
+                    Shape{"narrow", {"geometry.channel_width=150 um"}},
+                    Shape{"duct", {"geometry.channel_width=100 um"}},
+                    Shape{"rounded", {"geometry.neck_rounding=50 um", longer_neck}},
+                    Shape{"expansion", {"geometry.expansion_width=300 um", longer_neck}},
+                    Shape{"two_steps", {"geometry.step_width=200 um", "geometry.step_length=150 um"}},
+                    Shape{"asymmetric", {"geometry.half_angle_below=30 deg"}},
+                    Shape{"one_sided", {"geometry.half_angle=90 deg", "geometry.half_angle_below=20 deg"}}),
     [](const auto& info) { return info.param.name; });
 
 // The whole width is meshed when the sides differ, here by nothing that matters: the flow is the
@@ -153,8 +151,7 @@ TEST(FlowSymmetry, OfTheWholeWidth) {
       for (int i = 0; i < nx; ++i) {
         const std::size_t at = 3 * whole.index(i, j, k), mirror = 3 * whole.index(i, ny - 1 - j, k);
         const auto& u = whole.velocity;
-        uneven = std::max({uneven, std::abs(double{u[at]} - u[mirror]),
-                           std::abs(double{u[at + 1]} + u[mirror + 1])});
+        uneven = std::max({uneven, std::abs(double{u[at]} - u[mirror]), std::abs(double{u[at + 1]} + u[mirror + 1])});
         squares += std::pow(double{u[at]} - quarter.velocity[at], 2);
       }
   // Twenty times the residuals to which both are converged.
@@ -162,9 +159,8 @@ TEST(FlowSymmetry, OfTheWholeWidth) {
   // Gradients and sampling take more neighbours inside a mesh than at the border that the plane of
   // symmetry is for the quarter: on 12 cells this is 0.26 % of the pressure drop.
   EXPECT_LT(std::sqrt(squares / static_cast<double>(whole.solid.size())) / 20e-3, 0.005);
-  EXPECT_NEAR(whole.provenance["pressure_drop"].get<double>() /
-                  quarter.provenance["pressure_drop"].get<double>(),
-              1, 0.005);
+  EXPECT_NEAR(whole.provenance["pressure_drop"].get<double>() / quarter.provenance["pressure_drop"].get<double>(), 1,
+              0.005);
 }
 
 TEST(FlowCase, IsSolvedOnce) {
@@ -199,15 +195,9 @@ TEST(FlowCase, SaysInOneLineWhyItStopped) {
     EXPECT_THAT(run.output, HasSubstr(message));
     EXPECT_FALSE(fs::exists(folder / "solved"));
   };
-  ASSERT_EQ(
-      shell("sed -i 's/^endTime .*/endTime 5;/' '" + (folder / "system/controlDict").string() + "'")
-          .status,
-      0);
+  ASSERT_EQ(shell("sed -i 's/^endTime .*/endTime 5;/' '" + (folder / "system/controlDict").string() + "'").status, 0);
   failure("not converged after 5 iterations");
-  ASSERT_EQ(
-      shell("sed -i 's/^vertices/nothing/' '" + (folder / "system/blockMeshDict").string() + "'")
-          .status,
-      0);
+  ASSERT_EQ(shell("sed -i 's/^vertices/nothing/' '" + (folder / "system/blockMeshDict").string() + "'").status, 0);
   failure(
       "blockMesh (OpenFOAM 1912; this case is tested with 1912) stopped with status 1: Entry "
       "'vertices' not found");
@@ -227,19 +217,17 @@ TEST(FlowCase, NamesTheProgramThatFailedItsVersionAndItsWords) {
   const fs::path folder = scratch.path() / "case", bin = scratch.path() / "bin";
   write_foam_case(flow_scene({"flow.mesh_cells_per_neck=8"}), folder, foam_template());
   const auto said_with = [&](const std::string& lines) {
-    const ShellResult run = shell(with_program(bin, "simpleFoam", lines) + "sh '" +
-                                  (folder / "Allrun").string() + "' > /dev/null");
+    const ShellResult run =
+        shell(with_program(bin, "simpleFoam", lines) + "sh '" + (folder / "Allrun").string() + "' > /dev/null");
     EXPECT_EQ(run.status, 1);
     return run.output;
   };
-  EXPECT_THAT(
-      said_with("echo 'simpleFoam: error while loading shared libraries: libX.so: cannot open' "
-                ">&2; exit 127"),
-      testing::AllOf(
-          HasSubstr("bin/simpleFoam (OpenFOAM of unknown version; this case is tested with 1912) "
-                    "could not "
-                    "be started: simpleFoam: error while loading shared libraries: libX.so"),
-          testing::Not(HasSubstr("diverged"))));
+  EXPECT_THAT(said_with("echo 'simpleFoam: error while loading shared libraries: libX.so: cannot open' "
+                        ">&2; exit 127"),
+              testing::AllOf(HasSubstr("bin/simpleFoam (OpenFOAM of unknown version; this case is tested with 1912) "
+                                       "could not "
+                                       "be started: simpleFoam: error while loading shared libraries: libX.so"),
+                             testing::Not(HasSubstr("diverged"))));
   EXPECT_THAT(said_with("echo '|  \\\\  /  O peration  | Version:  9     |'; printf -- '\\n--> "
                         "FOAM FATAL IO ERROR: \\nkeyword div is "
                         "undefined\\n'; exit 1"),
@@ -257,8 +245,7 @@ TEST(FlowCase, TwoAllrunAtOnceSolveItOnce) {
   const ShellResult both = shell(run + " & first=$!; while [ ! -s '" + (folder / "lock").string() +
                                  "' ]; do sleep 0.05; done; " + run + " && wait $first");
   EXPECT_EQ(both.status, 0) << both.output;
-  EXPECT_THAT(both.output,
-              testing::AllOf(HasSubstr("waits for process "), HasSubstr("is already solved here")));
+  EXPECT_THAT(both.output, testing::AllOf(HasSubstr("waits for process "), HasSubstr("is already solved here")));
   EXPECT_EQ(both.output.find("  simpleFoam"), both.output.rfind("  simpleFoam")) << both.output;
 }
 
@@ -271,8 +258,7 @@ TEST(FlowCase, WaitsNotForEver) {
   write_file(folder / "lock", "process 17 on node\n");
   const ShellResult run = shell("CLOG_LONGEST_WAIT=1 sh '" + (folder / "Allrun").string() + "'");
   EXPECT_EQ(run.status, 1);
-  EXPECT_THAT(run.output,
-              HasSubstr("process 17 on node is still at work here after 1 s; call again"));
+  EXPECT_THAT(run.output, HasSubstr("process 17 on node is still at work here after 1 s; call again"));
 }
 
 TEST(FlowCase, IsNotSolvedBeforeItIsWritten) {
@@ -286,4 +272,4 @@ TEST(FlowCase, IsNotSolvedBeforeItIsWritten) {
 }
 
 }  // namespace
-}  // namespace clog
+}  // namespace clogflow

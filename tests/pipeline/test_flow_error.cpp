@@ -3,16 +3,16 @@
 
 #include <gmock/gmock.h>
 
-#include "coupling/flow_error.hpp"
-#include "coupling/flow_mesh.hpp"
-#include "coupling/foam_case_writer.hpp"
-#include "coupling/foam_log.hpp"
-#include "coupling/map_flow.hpp"
+#include "coupling/flow/flow_error.hpp"
+#include "coupling/flow/map_flow.hpp"
+#include "coupling/openfoam/flow_mesh.hpp"
+#include "coupling/openfoam/foam_case_writer.hpp"
+#include "coupling/openfoam/foam_log.hpp"
 #include "tests/coupling/flow_scene.hpp"
 #include "tests/coupling/refusal.hpp"
 #include "tests/pipeline/flow_case.hpp"
 
-namespace clog {
+namespace clogflow {
 namespace {
 
 namespace fs = std::filesystem;
@@ -23,8 +23,7 @@ double rms_difference(const FoamSamples& a, const FoamSamples& b) {
   for (std::size_t i = 0; i < a.velocity.size(); ++i) {
     if (!a.found[i] || !b.found[i]) continue;
     ++count;
-    for (int c = 0; c < 3; ++c)
-      squares += std::pow(double{a.velocity[i][c]} - double{b.velocity[i][c]}, 2);
+    for (int c = 0; c < 3; ++c) squares += std::pow(double{a.velocity[i][c]} - double{b.velocity[i][c]}, 2);
   }
   return std::sqrt(squares / count);
 }
@@ -38,19 +37,15 @@ TEST_P(FlowError, IsHonest) {
   const char* cells = "flow.mesh_cells_per_neck=16";
   const Scene scene = flow_scene({angle, cells, "flow.extrapolate=false"});
   write_foam_case(scene, folder, foam_template(), FoamCaseCheck::with_coarser_mesh);
-  EXPECT_THAT(refusal([&] { read_coarser_flow(folder, scene); }),
-              HasSubstr("coarse is not solved"));
-  write_foam_case(flow_scene({angle, "flow.mesh_cells_per_neck=32", "flow.extrapolate=false"}),
-                  finer, foam_template());
+  EXPECT_THAT(refusal([&] { read_coarser_flow(folder, scene); }), HasSubstr("coarse is not solved"));
+  write_foam_case(flow_scene({angle, "flow.mesh_cells_per_neck=32", "flow.extrapolate=false"}), finer, foam_template());
   const ShellResult run = solve(folder), finer_run = solve(finer);
   ASSERT_EQ(run.status, 0) << run.output;
   ASSERT_EQ(finer_run.status, 0) << finer_run.output;
 
   const FlowGrid grid = map_flow(folder);
   const FlowLattice lattice = flow_lattice(scene, flow_mesh(scene));
-  const auto read = [&](const fs::path& from) {
-    return read_foam_samples(foam_samples_file(from), lattice);
-  };
+  const auto read = [&](const fs::path& from) { return read_foam_samples(foam_samples_file(from), lattice); };
   const double neck_mean = 20e-3;
   const double velocity = rms_difference(read(folder), read(finer)) / neck_mean;
   const double pressure = std::abs(read_pressure_drop(folder) / read_pressure_drop(finer) - 1);
@@ -65,28 +60,24 @@ TEST_P(FlowError, IsHonest) {
   // What the two meshes together say is nearer to the finer solution than the wanted one is, and
   // what is told for it is not below its own difference.
   FoamSamples better = read(folder);
-  const VelocityError added =
-      extrapolate(better, read_coarser_flow(folder, scene)->samples, neck_mean);
+  const VelocityError added = extrapolate(better, read_coarser_flow(folder, scene)->samples, neck_mean);
   const double left = rms_difference(better, read(finer)) / neck_mean;
   // Not by much: the finer mesh is not extrapolated, and its own error stays in the difference.
   EXPECT_LT(left, velocity);
   EXPECT_GT(added.rms, left);
   EXPECT_FALSE(told["extrapolated"]);
 
-  const Scene other =
-      flow_scene({angle, cells, "flow.extrapolate=false", "fluid.viscosity=1 mPa s"});
-  EXPECT_THAT(refusal([&] { read_coarser_flow(folder, other); }),
-              HasSubstr("is not the coarser case of"));
+  const Scene other = flow_scene({angle, cells, "flow.extrapolate=false", "fluid.viscosity=1 mPa s"});
+  EXPECT_THAT(refusal([&] { read_coarser_flow(folder, other); }), HasSubstr("is not the coarser case of"));
 }
 
 TEST(FlowExtrapolation, NeedsTheCoarserCase) {
   const ScratchFolder scratch;
-  EXPECT_THAT(
-      refusal([&] { read_coarser_flow(scratch.path(), flow_scene({"flow.extrapolate=true"})); }),
-      HasSubstr("coarse is missing (flow.extrapolate = true needs the coarser case)"));
+  EXPECT_THAT(refusal([&] { read_coarser_flow(scratch.path(), flow_scene({"flow.extrapolate=true"})); }),
+              HasSubstr("coarse is missing (flow.extrapolate = true needs the coarser case)"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Angles, FlowError, testing::Values("\"30 deg\"", "\"90 deg\""));
 
 }  // namespace
-}  // namespace clog
+}  // namespace clogflow

@@ -8,17 +8,18 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include "coupling/flow_error.hpp"
-#include "coupling/foam_case_writer.hpp"
-#include "coupling/map_flow.hpp"
-#include "coupling/source_folder.hpp"
-#include "coupling/text_file.hpp"
-#include "dem/flow_field.hpp"
+#include "coupling/base/source_folder.hpp"
+#include "coupling/base/text_file.hpp"
+#include "coupling/flow/flow_error.hpp"
+#include "coupling/flow/map_flow.hpp"
+#include "coupling/openfoam/coarser_case.hpp"
+#include "coupling/openfoam/foam_case_writer.hpp"
+#include "dem/fluid/flow_field.hpp"
 #include "tests/coupling/flow_scene.hpp"
 #include "tests/pipeline/flow_case.hpp"
 #include "tests/test_data.hpp"
 
-namespace clog {
+namespace clogflow {
 namespace {
 
 namespace fs = std::filesystem;
@@ -54,8 +55,7 @@ struct Deviation {
 
 // Deviation of a field from the reference; velocity(i) is the field at its point i.
 template <class Velocity>
-Deviation deviation(const std::vector<ReferencePoint>& points, Vec3 ReferencePoint::*wanted,
-                    const Velocity& velocity) {
+Deviation deviation(const std::vector<ReferencePoint>& points, Vec3 ReferencePoint::*wanted, const Velocity& velocity) {
   Deviation result;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double error = (velocity(i) - points[i].*wanted).norm() / neck_mean;
@@ -63,14 +63,11 @@ Deviation deviation(const std::vector<ReferencePoint>& points, Vec3 ReferencePoi
     result.largest = std::max(result.largest, error);
   }
   result.rms = std::sqrt(result.rms);
-  fmt::print("rms {:.3f} %, largest {:.3f} % of the neck mean\n", 100 * result.rms,
-             100 * result.largest);
+  fmt::print("rms {:.3f} %, largest {:.3f} % of the neck mean\n", 100 * result.rms, 100 * result.largest);
   return result;
 }
 
-Vec3 quarter(const Vec3& x) {
-  return {x.x(), std::abs(x.y()), std::min(x.z(), neck_width - x.z())};
-}
+Vec3 quarter(const Vec3& x) { return {x.x(), std::abs(x.y()), std::min(x.z(), neck_width - x.z())}; }
 
 // Values of a field of a case at points of the quarter, by OpenFOAM's own interpolation.
 std::vector<std::vector<double>> sampled(const fs::path& folder, const std::string& field,
@@ -84,11 +81,10 @@ std::vector<std::vector<double>> sampled(const fs::path& folder, const std::stri
                  "); interpolationScheme cellPointFace; sets ( points { type cloud; axis xyz; "
                  "points (\n" +
                  list + "); } ); } }\n");
-  const ShellResult post =
-      shell("cd '" + folder.string() +
-            "' && WM_PROJECT_DIR=${WM_PROJECT_DIR:-/usr/share/openfoam} "
-            "postProcess -latestTime -dict system/checkDict -fields '(" +
-            field + ")'" + " && mv postProcessing/check/*/points_" + field + ".xy check_" + field);
+  const ShellResult post = shell("cd '" + folder.string() +
+                                 "' && WM_PROJECT_DIR=${WM_PROJECT_DIR:-/usr/share/openfoam} "
+                                 "postProcess -latestTime -dict system/checkDict -fields '(" +
+                                 field + ")'" + " && mv postProcessing/check/*/points_" + field + ".xy check_" + field);
   EXPECT_EQ(post.status, 0) << post.output;
   std::istringstream in(read_text_file(folder / ("check_" + field)));
   std::vector<std::vector<double>> rows;
@@ -114,8 +110,7 @@ double extrapolated_drop(const fs::path& folder) {
   return drop;
 }
 
-Deviation through_grid(const FlowGrid& grid, Lookup lookup, Vec3 ReferencePoint::*wanted,
-                       double scale) {
+Deviation through_grid(const FlowGrid& grid, Lookup lookup, Vec3 ReferencePoint::*wanted, double scale) {
   const auto points = reference_points();
   const FlowField field(grid, lookup);
   return deviation(points, wanted, [&](std::size_t i) -> Vec3 {
@@ -188,18 +183,16 @@ TEST(CreepingFlow, IsTheStokesSolution) {
   const ScratchFolder scratch;
   const fs::path folder = scratch.path() / "case";
   write_foam_case(read_scene(source_folder() / "scenes" / "paper.toml",
-                             {"flow.mean_velocity=5 um/s", "flow.mesh_cells_per_neck=24",
-                              "flow.grid_spacing=4 um"}),
+                             {"flow.mean_velocity=5 um/s", "flow.mesh_cells_per_neck=24", "flow.grid_spacing=4 um"}),
                   folder, foam_template());
   const ShellResult run = solve(folder);
   ASSERT_EQ(run.status, 0) << run.output;
   EXPECT_NEAR(1000 * extrapolated_drop(folder), 17.28, 0.01 * 17.28);
-  const Deviation smooth =
-      through_grid(map_flow(folder), Lookup::trilinear, &ReferencePoint::stokes, 1000);
+  const Deviation smooth = through_grid(map_flow(folder), Lookup::trilinear, &ReferencePoint::stokes, 1000);
   EXPECT_LT(smooth.rms, 0.005);
   // Inertia alone would be 3.3 %.
   EXPECT_LT(smooth.largest, 0.02);
 }
 
 }  // namespace
-}  // namespace clog
+}  // namespace clogflow

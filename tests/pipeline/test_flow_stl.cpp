@@ -4,15 +4,15 @@
 
 #include <gmock/gmock.h>
 
-#include "coupling/foam_case_writer.hpp"
-#include "coupling/flow_flux.hpp"
-#include "coupling/map_flow.hpp"
-#include "coupling/source_folder.hpp"
-#include "coupling/stl_channel.hpp"
+#include "coupling/base/source_folder.hpp"
+#include "coupling/flow/flow_flux.hpp"
+#include "coupling/flow/map_flow.hpp"
+#include "coupling/geometry/stl_channel.hpp"
+#include "coupling/openfoam/foam_case_writer.hpp"
 #include "tests/coupling/flow_scene.hpp"
 #include "tests/pipeline/flow_case.hpp"
 
-namespace clog {
+namespace clogflow {
 namespace {
 
 namespace fs = std::filesystem;
@@ -47,12 +47,13 @@ void expect_laws(const FlowGrid& grid, double rate, double neck_mean) {
 TEST(StlFlow, OfThePapersChannelIsThatOfTheBlockMesh) {
   const ScratchFolder scratch;
   const Scene keys = flow_scene({"geometry.channel_length=500 um", "geometry.neck_length=150 um"});
-  write_file(scratch.path() / "walls.stl", channel_stl(keys, 1e-6));
+  write_file(scratch.path() / "walls.stl", channel_stl(keys.geometry, 1e-6));
   std::string text = effective_scene(keys);
   const std::size_t section = text.find("[fluid]");
   write_file(scratch.path() / "scene.toml",
              "[geometry]\nstl = \"walls.stl\"\nstl_unit = \"1 um\"\nneck_width = \"100 um\"\n"
-             "neck_length = \"150 um\"\n\n" + text.substr(section));
+             "neck_length = \"150 um\"\n\n" +
+                 text.substr(section));
   const Scene scene = read_scene(scratch.path() / "scene.toml");
   const FlowGrid fitted = solved(scene, scratch.path() / "stl");
   const FlowGrid blocks = solved(keys, scratch.path() / "blocks");
@@ -92,4 +93,4 @@ TEST(StlFlow, OfTheShippedPore) {
 }
 
 }  // namespace
-}  // namespace clog
+}  // namespace clogflow

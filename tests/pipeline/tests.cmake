@@ -4,6 +4,6 @@ clog_tests(test_flow_coarse
 
 # Not gtest_discover_tests: one process, because its tests share one solution of half a minute.
 add_executable(test_flow_reference pipeline/test_flow_reference.cpp)
-target_link_libraries(test_flow_reference PRIVATE clog_coupling clog_dem GTest::gmock GTest::gtest_main)
+target_link_libraries(test_flow_reference PRIVATE clog_dem clog_test_support GTest::gtest_main)
 add_test(NAME FlowReference COMMAND test_flow_reference)
 set_tests_properties(FlowReference PROPERTIES LABELS flow TIMEOUT 600)

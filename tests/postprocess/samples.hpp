@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "coupling/require.hpp"
-#include "postprocess/random_stream.hpp"
+#include "coupling/base/require.hpp"
+#include "postprocess/laws/random_stream.hpp"
 
-namespace clog::postprocess {
+namespace clogflow::postprocess {
 
 inline std::vector<double> pareto_sample(std::size_t n, double alpha, RandomStream random) {
   std::vector<double> values(n);
@@ -33,4 +33,4 @@ std::string refusal(const Action& action) {
   return "accepted";
 }
 
-}  // namespace clog::postprocess
+}  // namespace clogflow::postprocess

@@ -6,12 +6,12 @@
 #include <filesystem>
 #include <string>
 
-#include "coupling/run_file.hpp"
-#include "coupling/run_record.hpp"
-#include "coupling/scene.hpp"
+#include "coupling/files/run_file.hpp"
+#include "coupling/files/run_record.hpp"
+#include "coupling/scene/scene.hpp"
 #include "tests/postprocess/samples.hpp"
 
-namespace clog::postprocess {
+namespace clogflow::postprocess {
 
 struct SyntheticEnsemble {
   std::string diameter = "33 um";
@@ -55,8 +55,7 @@ end = ")" + std::to_string(ensemble.end) +
 }
 
 /// A snapshot of spheres on a jittered lattice that fills the channel; flowing ones move along x.
-inline RunData::Snapshot synthetic_snapshot(double time, double diameter, double flowing,
-                                            RandomStream random) {
+inline RunData::Snapshot synthetic_snapshot(double time, double diameter, double flowing, RandomStream random) {
   RunData::Snapshot snapshot;
   snapshot.time = time;
   const double spacing = 1.12 * diameter;
@@ -68,18 +67,14 @@ inline RunData::Snapshot synthetic_snapshot(double time, double diameter, double
         if (x > 0 && flowing < 0.5) continue;
         const double jitter = 0.12 * diameter;
         snapshot.id.push_back(static_cast<std::int64_t>(snapshot.id.size()));
-        for (const double c : {x, y, z})
-          snapshot.position.push_back(c + jitter * (random.uniform() - 0.5));
-        const double speed =
-            flowing * 0.02 * std::min(1.0, 50e-6 / half) * (0.6 + 0.4 * random.uniform());
-        for (const double c : {speed, 0.1 * speed * (random.uniform() - 0.5), 0.0})
-          snapshot.velocity.push_back(c);
+        for (const double c : {x, y, z}) snapshot.position.push_back(c + jitter * (random.uniform() - 0.5));
+        const double speed = flowing * 0.02 * std::min(1.0, 50e-6 / half) * (0.6 + 0.4 * random.uniform());
+        for (const double c : {speed, 0.1 * speed * (random.uniform() - 0.5), 0.0}) snapshot.velocity.push_back(c);
         snapshot.radius.push_back(diameter / 2);
       }
     }
   }
-  for (auto* zeros : {&snapshot.spin, &snapshot.force, &snapshot.torque})
-    zeros->assign(snapshot.position.size(), 0.0);
+  for (auto* zeros : {&snapshot.spin, &snapshot.force, &snapshot.torque}) zeros->assign(snapshot.position.size(), 0.0);
   return snapshot;
 }
 
@@ -98,9 +93,9 @@ inline void add_series(RunData& run, double interval, RandomStream random) {
     run.series.count.push_back(static_cast<std::int64_t>(950 + 2000 * wave));
     run.series.packing_fraction.push_back(0.45 + wave);
     run.series.porosity.push_back({0.62 - wave, 0.57 - 0.5 * wave, 0.53 + wave});
-    for (auto* column : {&run.series.kinetic_energy, &run.series.elastic_energy,
-                         &run.series.largest_overlap, &run.series.drag_work, &run.series.dissipated,
-                         &run.series.median_speed, &run.series.speed_q99}) {
+    for (auto* column :
+         {&run.series.kinetic_energy, &run.series.elastic_energy, &run.series.largest_overlap, &run.series.drag_work,
+          &run.series.dissipated, &run.series.median_speed, &run.series.speed_q99}) {
       column->push_back(0);
     }
     run.series.contacts.push_back(0);
@@ -120,8 +115,7 @@ inline RunData synthetic_run(const SyntheticEnsemble& ensemble, std::uint64_t se
   double next_snapshot = 0;
   const auto snapshots_until = [&](double time, double flowing) {
     while (ensemble.snapshot_interval > 0 && next_snapshot < std::min(time, run.end_time)) {
-      run.snapshots.push_back(
-          synthetic_snapshot(next_snapshot, scene.particles.diameter, flowing, random));
+      run.snapshots.push_back(synthetic_snapshot(next_snapshot, scene.particles.diameter, flowing, random));
       next_snapshot += ensemble.snapshot_interval;
     }
   };
@@ -135,8 +129,7 @@ inline RunData synthetic_run(const SyntheticEnsemble& ensemble, std::uint64_t se
       snapshots_until(t + lapse, 1.0);
       t += lapse;
     }
-    const double arrest =
-        0.5 * tau * std::pow(1.0 - random.uniform(), -1.0 / (ensemble.alpha - 1.0));
+    const double arrest = 0.5 * tau * std::pow(1.0 - random.uniform(), -1.0 / (ensemble.alpha - 1.0));
     const double start = by_release ? t + scene.unclog.after + 0.1 * tau : t + arrest;
     snapshots_until(start, 0.0);
     t = start;
@@ -154,8 +147,7 @@ inline RunData synthetic_run(const SyntheticEnsemble& ensemble, std::uint64_t se
 }
 
 /// Writes seeds 1 ... count into a folder, which it empties first.
-inline std::filesystem::path write_ensemble(const std::filesystem::path& folder,
-                                            const SyntheticEnsemble& ensemble,
+inline std::filesystem::path write_ensemble(const std::filesystem::path& folder, const SyntheticEnsemble& ensemble,
                                             std::uint64_t count) {
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
@@ -164,4 +156,4 @@ inline std::filesystem::path write_ensemble(const std::filesystem::path& folder,
   return folder;
 }
 
-}  // namespace clog::postprocess
+}  // namespace clogflow::postprocess

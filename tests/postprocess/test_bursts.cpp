@@ -1,13 +1,13 @@
 // Lapses, bursts and totals of passages written by hand.
 #include <gmock/gmock.h>
 
-#include "postprocess/bursts.hpp"
-#include "postprocess/distributions.hpp"
-#include "postprocess/lapses.hpp"
-#include "postprocess/quantities.hpp"
+#include "postprocess/events/bursts.hpp"
+#include "postprocess/events/lapses.hpp"
+#include "postprocess/laws/distributions.hpp"
+#include "postprocess/summary/quantities.hpp"
 #include "tests/postprocess/samples.hpp"
 
-namespace clog::postprocess {
+namespace clogflow::postprocess {
 namespace {
 
 using testing::ElementsAre;
@@ -59,10 +59,7 @@ TEST(Lapses, a_release_cuts_them_and_what_it_shakes_loose_starts_none) {
 
 TEST(Lapses, before_the_window_nothing_counts) {
   EXPECT_EQ(lapses_of(run_with({1, 2, 3}, 4), {1.5, 4}).size(), 2U);
-  EXPECT_THAT(refusal([] {
-                lapses_of(run_with({2, 1}, 3), {0, 3});
-              }),
-              HasSubstr("passages are not in order of time"));
+  EXPECT_THAT(refusal([] { lapses_of(run_with({2, 1}, 3), {0, 3}); }), HasSubstr("passages are not in order of time"));
 }
 
 TEST(Bursts, between_clogs) {
@@ -93,8 +90,7 @@ RunData released() {
 TEST(Bursts, after_releases) {
   const auto bursts = bursts_after_releases(released(), {0, 33}, 4.0);
   EXPECT_THAT(sizes(bursts), ElementsAre(2, 3, 0, 2));
-  EXPECT_THAT(kinds(bursts), ElementsAre(BurstKind::first, BurstKind::whole, BurstKind::whole,
-                                         BurstKind::cut_off));
+  EXPECT_THAT(kinds(bursts), ElementsAre(BurstKind::first, BurstKind::whole, BurstKind::whole, BurstKind::cut_off));
   EXPECT_EQ(bursts[1].while_off, 1U);
   EXPECT_EQ(bursts[1].start, 5.5);
   EXPECT_EQ(bursts[1].duration, 3);
@@ -102,8 +98,7 @@ TEST(Bursts, after_releases) {
 
 TEST(Bursts, at_rest_before_the_end_is_whole) {
   EXPECT_EQ(bursts_after_releases(released(), {0, 33}, 0.5).back().kind, BurstKind::whole);
-  EXPECT_THAT(kinds(bursts_after_releases(run_with({1}, 9), {0, 9}, 2)),
-              ElementsAre(BurstKind::cut_off));
+  EXPECT_THAT(kinds(bursts_after_releases(run_with({1}, 9), {0, 9}, 2)), ElementsAre(BurstKind::cut_off));
 }
 
 SeedRecord record_of_releases() {
@@ -195,4 +190,4 @@ TEST(Distributions, logarithmic_bins_integrate_to_one) {
 }
 
 }  // namespace
-}  // namespace clog::postprocess
+}  // namespace clogflow::postprocess

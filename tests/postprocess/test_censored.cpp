@@ -1,13 +1,13 @@
 // Censored likelihoods, Kaplan-Meier and the rival law, by hand and against their limits.
 #include <gmock/gmock.h>
 
-#include "postprocess/censored.hpp"
-#include "postprocess/power_law.hpp"
-#include "postprocess/rival.hpp"
-#include "postprocess/survival.hpp"
+#include "postprocess/laws/censored.hpp"
+#include "postprocess/laws/power_law.hpp"
+#include "postprocess/laws/rival.hpp"
+#include "postprocess/laws/survival.hpp"
 #include "tests/postprocess/samples.hpp"
 
-namespace clog::postprocess {
+namespace clogflow::postprocess {
 namespace {
 
 using testing::HasSubstr;
@@ -24,16 +24,15 @@ TEST(Censored, power_law_by_hand) {
 
 // Two whole values 1 and 2 and one censored at 3 beyond x_min = 1: rate = 2/(0 + 1 + 2).
 TEST(Censored, exponential_by_hand) {
-  EXPECT_NEAR(fit_exponential_censored({{1, false}, {2, false}, {3, true}}, 1.0).parameter,
-              2.0 / 3.0, 1e-15);
+  EXPECT_NEAR(fit_exponential_censored({{1, false}, {2, false}, {3, true}}, 1.0).parameter, 2.0 / 3.0, 1e-15);
 }
 
 TEST(Censored, without_censored_values_it_is_the_plain_fit) {
   const auto values = pareto_sample(200, 2.3, {1, 1});
   std::vector<Observation> observations;
   for (const double x : values) observations.push_back({x, false});
-  EXPECT_NEAR(fit_power_law_censored(observations, 1.5).parameter,
-              fit_power_law(SortedSample(values), 1.5).alpha, 1e-12);
+  EXPECT_NEAR(fit_power_law_censored(observations, 1.5).parameter, fit_power_law(SortedSample(values), 1.5).alpha,
+              1e-12);
 }
 
 // alpha = 1.6 with everything beyond 10 cut: a quarter of the sample is censored.
@@ -54,10 +53,7 @@ TEST(Censored, refusals) {
                 fit_power_law_censored({{5, true}, {6, true}}, 1.0);
               }),
               HasSubstr("no whole value above xmin = 1 (2 censored ones)"));
-  EXPECT_THAT(refusal([] {
-                fit_exponential_censored({{5, false}}, 0.0);
-              }),
-              HasSubstr("xmin = 0 (must be positive)"));
+  EXPECT_THAT(refusal([] { fit_exponential_censored({{5, false}}, 0.0); }), HasSubstr("xmin = 0 (must be positive)"));
 }
 
 // Textbook example (remission of leukaemia, 6-MP arm: Freireich et al. 1963; Kaplan-Meier values in
@@ -66,8 +62,7 @@ TEST(Censored, refusals) {
 TEST(KaplanMeier, textbook_example) {
   std::vector<Observation> remissions;
   for (const double t : {6, 6, 6, 7, 10, 13, 16, 22, 23}) remissions.push_back({t, false});
-  for (const double t : {6, 9, 10, 11, 17, 19, 20, 25, 32, 32, 34, 35})
-    remissions.push_back({t, true});
+  for (const double t : {6, 9, 10, 11, 17, 19, 20, 25, 32, 32, 34, 35}) remissions.push_back({t, true});
   const auto steps = kaplan_meier(remissions);
   const std::vector<double> time{6, 7, 10, 13, 16, 22, 23};
   const std::vector<double> survival{0.8571, 0.8067, 0.7529, 0.6902, 0.6275, 0.5378, 0.4482};
@@ -114,9 +109,8 @@ TEST(Rival, tells_the_laws_apart) {
 TEST(Rival, ratio_by_hand) {
   const double a = 2.0 / std::log(8.0);
   const auto test = power_law_against_exponential(whole({2, 4}), 1.0);
-  EXPECT_NEAR(test.log_ratio, 2 * std::log(a) - (a + 1) * std::log(8.0) + 2 * std::log(2.0) + 2,
-              1e-13);
+  EXPECT_NEAR(test.log_ratio, 2 * std::log(a) - (a + 1) * std::log(8.0) + 2 * std::log(2.0) + 2, 1e-13);
 }
 
 }  // namespace
-}  // namespace clog::postprocess
+}  // namespace clogflow::postprocess

@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "postprocess/confidence.hpp"
+#include "postprocess/laws/confidence.hpp"
 #include "tests/postprocess/samples.hpp"
 
-namespace clog::postprocess {
+namespace clogflow::postprocess {
 namespace {
 
 Estimate mean_of(const std::vector<double>& values, const Resampling& resampling) {
@@ -24,8 +24,7 @@ TEST(Confidence, covers_the_true_mean) {
   int covered = 0;
   constexpr int ensembles = 300;
   for (std::uint64_t k = 0; k < ensembles; ++k) {
-    const auto estimate =
-        mean_of(exponential_sample(30, 4.0, {k, 21}), {.replicates = 400, .seed = k});
+    const auto estimate = mean_of(exponential_sample(30, 4.0, {k, 21}), {.replicates = 400, .seed = k});
     covered += estimate.low <= 4.0 && 4.0 <= estimate.high ? 1 : 0;
   }
   // 95 % nominal; the percentile interval of 30 skewed values covers 90 to 93 %. Binomial error 1.5
@@ -60,4 +59,4 @@ TEST(RandomStream, streams_differ_and_are_uniform) {
 }
 
 }  // namespace
-}  // namespace clog::postprocess
+}  // namespace clogflow::postprocess

@@ -3,16 +3,16 @@
 
 #include <gmock/gmock.h>
 
-#include "postprocess/fit_json.hpp"
-#include "postprocess/goodness_of_fit.hpp"
-#include "postprocess/hurwitz_zeta.hpp"
-#include "postprocess/number_column.hpp"
-#include "postprocess/power_law.hpp"
-#include "postprocess/zeta_tail.hpp"
+#include "coupling/base/number_column.hpp"
+#include "postprocess/laws/goodness_of_fit.hpp"
+#include "postprocess/laws/hurwitz_zeta.hpp"
+#include "postprocess/laws/power_law.hpp"
+#include "postprocess/laws/zeta_tail.hpp"
+#include "postprocess/summary/fit_json.hpp"
 #include "tests/postprocess/samples.hpp"
 #include "tests/test_data.hpp"
 
-namespace clog::postprocess {
+namespace clogflow::postprocess {
 namespace {
 
 using testing::HasSubstr;
@@ -29,8 +29,7 @@ TEST(HurwitzZeta, closed_values) {
 TEST(HurwitzZeta, recurrence_from_small_to_huge_arguments) {
   for (const double s : {1.01, 1.5, 2.5, 7.0, 40.0})
     for (const double q : {1.0, 3.0, 19.0, 22.0, 61.0, 1e4, 1e9})
-      EXPECT_NEAR(scaled_zeta(s, q).value,
-                  1.0 + std::pow((q + 1) / q, -s) * scaled_zeta(s, q + 1).value,
+      EXPECT_NEAR(scaled_zeta(s, q).value, 1.0 + std::pow((q + 1) / q, -s) * scaled_zeta(s, q + 1).value,
                   1e-13 * scaled_zeta(s, q).value)
           << s << " " << q;
 }
@@ -42,9 +41,7 @@ TEST(HurwitzZeta, derivatives) {
   EXPECT_NEAR(z.curvature, 1.989280234298901023, 1e-13);
 }
 
-SortedSample counts(const char* file) {
-  return SortedSample(read_number_column(test_data(file)), Values::whole);
-}
+SortedSample counts(const char* file) { return SortedSample(read_number_column(test_data(file)), Values::whole); }
 
 // Exponents and distances of an independent fit (scipy.special.zeta, every candidate, every value).
 TEST(DiscretePowerLaw, agrees_with_an_independent_fit) {
@@ -110,8 +107,8 @@ double distance_by_definition(const std::vector<double>& values, double alpha, d
 
 TEST(DiscretePowerLaw, pruned_scan_is_exact) {
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
-    for (const auto& values : {zeta_sample(20 + 30 * seed, 2.8, 1, {seed, 0}),
-                               geometric_sample(20 + 30 * seed, 0.05, {seed, 1})}) {
+    for (const auto& values :
+         {zeta_sample(20 + 30 * seed, 2.8, 1, {seed, 0}), geometric_sample(20 + 30 * seed, 0.05, {seed, 1})}) {
       const SortedSample sample(values, Values::whole);
       const auto fit = fit_power_law(sample);
       double smallest = 2;
@@ -136,8 +133,7 @@ TEST(ZetaVariates, have_the_survival_of_the_law) {
     for (const double x : {xmin, xmin + 1, xmin + 9, 1023 + xmin, 1024 + xmin, 1e5, 1e9}) {
       const auto reached = std::ranges::count_if(values, [&](double v) { return v >= x; });
       const double expected = zeta_survival(1.3, xmin, x);
-      EXPECT_NEAR(static_cast<double>(reached) / n, expected,
-                  4 * std::sqrt(expected * (1 - expected) / n) + 1e-12)
+      EXPECT_NEAR(static_cast<double>(reached) / n, expected, 4 * std::sqrt(expected * (1 - expected) / n) + 1e-12)
           << x;
     }
   }
@@ -148,9 +144,8 @@ TEST(DiscreteGoodnessOfFit, uniform_for_a_true_power_law) {
   constexpr int trials = 100;
   for (std::uint64_t seed = 0; seed < trials; ++seed) {
     const SortedSample sample(zeta_sample(300, 2.2, 1, {seed, 11}), Values::whole);
-    const double p =
-        goodness_of_fit(sample, fit_power_law(sample, 1.0),
-                        {.replicates = 100, .seed = seed, .lower_end = LowerEnd::fixed});
+    const double p = goodness_of_fit(sample, fit_power_law(sample, 1.0),
+                                     {.replicates = 100, .seed = seed, .lower_end = LowerEnd::fixed});
     below_half += p < 0.5 ? 1 : 0;
     below_tenth += p < 0.1 ? 1 : 0;
   }
@@ -160,8 +155,7 @@ TEST(DiscreteGoodnessOfFit, uniform_for_a_true_power_law) {
 
 TEST(DiscreteGoodnessOfFit, small_for_geometric_counts) {
   const SortedSample sample(geometric_sample(1000, 0.2, {2, 2}), Values::whole);
-  EXPECT_LT(goodness_of_fit(sample, fit_power_law(sample, 1.0),
-                            {.replicates = 200, .lower_end = LowerEnd::fixed}),
+  EXPECT_LT(goodness_of_fit(sample, fit_power_law(sample, 1.0), {.replicates = 200, .lower_end = LowerEnd::fixed}),
             0.01);
 }
 
@@ -202,12 +196,11 @@ TEST(DiscretePowerLaw, refusals) {
               HasSubstr("xmin = 1.5 (must be whole, as the values are)"));
   const std::vector<double> equal(100, 7.0);
   for (const Values kind : {Values::whole, Values::continuous}) {
-    EXPECT_THAT(refusal([&] { fit_power_law(SortedSample(equal, kind)); }),
-                HasSubstr("all 100 values equal 7"));
+    EXPECT_THAT(refusal([&] { fit_power_law(SortedSample(equal, kind)); }), HasSubstr("all 100 values equal 7"));
     EXPECT_THAT(refusal([&] { fit_power_law(SortedSample(equal, kind), 7.0); }),
                 HasSubstr("all values from xmin = 7 on equal it"));
   }
 }
 
 }  // namespace
-}  // namespace clog::postprocess
+}  // namespace clogflow::postprocess

@@ -4,10 +4,10 @@
 
 #include <gmock/gmock.h>
 
-#include "postprocess/geometric_law.hpp"
+#include "postprocess/laws/geometric_law.hpp"
 #include "tests/postprocess/samples.hpp"
 
-namespace clog::postprocess {
+namespace clogflow::postprocess {
 namespace {
 
 TEST(GeometricLaw, distance_by_hand) {
@@ -48,9 +48,8 @@ TEST(GeometricLaw, bursts_of_one_particle_only) {
 }
 
 TEST(GeometricLaw, nothing_to_test) {
-  EXPECT_EQ(refusal([] { test_geometric({}, 10, 1); }),
-            "0 burst sizes, 10 replicates: nothing to test");
+  EXPECT_EQ(refusal([] { test_geometric({}, 10, 1); }), "0 burst sizes, 10 replicates: nothing to test");
 }
 
 }  // namespace
-}  // namespace clog::postprocess
+}  // namespace clogflow::postprocess

@@ -3,11 +3,11 @@
 
 #include <gmock/gmock.h>
 
-#include "postprocess/number_column.hpp"
+#include "coupling/base/number_column.hpp"
 #include "tests/postprocess/samples.hpp"
 #include "tests/scratch.hpp"
 
-namespace clog::postprocess {
+namespace clogflow::postprocess {
 namespace {
 
 using testing::ElementsAre;
@@ -21,8 +21,7 @@ std::filesystem::path column(const char* text) {
 }
 
 TEST(NumberColumn, comments_blanks_and_forms_of_a_number) {
-  EXPECT_THAT(read_number_column(column("# head\n\n  1.5\n+2e-3 # two\r\n\t-4\n.5")),
-              ElementsAre(1.5, 2e-3, -4, 0.5));
+  EXPECT_THAT(read_number_column(column("# head\n\n  1.5\n+2e-3 # two\r\n\t-4\n.5")), ElementsAre(1.5, 2e-3, -4, 0.5));
 }
 
 // /dev/zero has neither a line end nor an end.
@@ -37,17 +36,12 @@ TEST(NumberColumn, a_line_without_end_is_refused) {
 TEST(NumberColumn, refusals_name_file_and_line) {
   EXPECT_THAT(refusal([] { read_number_column(column("1\n# x\n2 3\n")); }),
               HasSubstr("clog_column.txt:3: '2 3' is not a number (one finite number a line)"));
-  EXPECT_THAT(refusal([] { read_number_column(column("1\nabc\n")); }),
-              HasSubstr(":2: 'abc' is not a number"));
-  EXPECT_THAT(refusal([] { read_number_column(column("nan\n")); }),
-              HasSubstr(":1: 'nan' is not a number"));
-  EXPECT_THAT(refusal([] { read_number_column(column("1e999\n")); }),
-              HasSubstr(":1: 1e999 is outside the range"));
-  EXPECT_THAT(refusal([] { read_number_column(column("# only\n\n")); }),
-              EndsWith("holds no number"));
-  EXPECT_THAT(refusal([] { read_number_column("/nonexistent/file"); }),
-              HasSubstr("/nonexistent/file: cannot be read"));
+  EXPECT_THAT(refusal([] { read_number_column(column("1\nabc\n")); }), HasSubstr(":2: 'abc' is not a number"));
+  EXPECT_THAT(refusal([] { read_number_column(column("nan\n")); }), HasSubstr(":1: 'nan' is not a number"));
+  EXPECT_THAT(refusal([] { read_number_column(column("1e999\n")); }), HasSubstr(":1: 1e999 is outside the range"));
+  EXPECT_THAT(refusal([] { read_number_column(column("# only\n\n")); }), EndsWith("holds no number"));
+  EXPECT_THAT(refusal([] { read_number_column("/nonexistent/file"); }), HasSubstr("/nonexistent/file: cannot be read"));
 }
 
 }  // namespace
-}  // namespace clog::postprocess
+}  // namespace clogflow::postprocess

@@ -1,21 +1,19 @@
 // The power-law fit against published fits, synthetic laws and its own definition.
 #include <gmock/gmock.h>
 
-#include "postprocess/goodness_of_fit.hpp"
-#include "postprocess/number_column.hpp"
-#include "postprocess/pareto_tail.hpp"
-#include "postprocess/power_law.hpp"
+#include "coupling/base/number_column.hpp"
+#include "postprocess/laws/goodness_of_fit.hpp"
+#include "postprocess/laws/pareto_tail.hpp"
+#include "postprocess/laws/power_law.hpp"
 #include "tests/postprocess/samples.hpp"
 #include "tests/test_data.hpp"
 
-namespace clog::postprocess {
+namespace clogflow::postprocess {
 namespace {
 
 using testing::HasSubstr;
 
-PowerLawFit published(const char* file) {
-  return fit_power_law(SortedSample(read_number_column(test_data(file))));
-}
+PowerLawFit published(const char* file) { return fit_power_law(SortedSample(read_number_column(test_data(file)))); }
 
 TEST(PowerLaw, plfit_continuous_as_published) {
   const auto fit = published("csn_plfit_continuous.txt");
@@ -64,9 +62,7 @@ PowerLawFit every_candidate(const SortedSample& sample) {
   for (std::size_t k = 0; k + 1 < distinct.size(); ++k) {
     const auto tail = ParetoTail::of(sample, distinct[k], sample.value(distinct[k]));
     const double ks = ks_distance_all_points(sample, tail);
-    if (ks < best.ks)
-      best = {tail.alpha, sample.value(distinct[k]),  0,
-              ks,         sample.size() - tail.first, sample.size()};
+    if (ks < best.ks) best = {tail.alpha, sample.value(distinct[k]), 0, ks, sample.size() - tail.first, sample.size()};
   }
   return best;
 }
@@ -79,9 +75,8 @@ std::vector<double> with_ties(std::vector<double> values) {
 TEST(PowerLaw, pruned_scan_is_exact) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     const std::size_t n = 6 + 37 * seed;
-    std::vector<std::vector<double>> samples{
-        pareto_sample(n, 1.5 + 0.05 * static_cast<double>(seed), {seed, 0}),
-        exponential_sample(n, 3.0, {seed, 1})};
+    std::vector<std::vector<double>> samples{pareto_sample(n, 1.5 + 0.05 * static_cast<double>(seed), {seed, 0}),
+                                             exponential_sample(n, 3.0, {seed, 1})};
     samples.push_back(with_ties(samples[0]));
     samples.push_back(with_ties(samples[1]));
     for (const auto& values : samples) {
@@ -120,33 +115,20 @@ TEST(PowerLaw, scaling_the_data_scales_xmin_only) {
 }
 
 TEST(PowerLaw, refusals) {
-  EXPECT_THAT(refusal([] {
-                SortedSample({1, 0, 2});
-              }),
-              HasSubstr("value 0 (a power law needs positive"));
+  EXPECT_THAT(refusal([] { SortedSample({1, 0, 2}); }), HasSubstr("value 0 (a power law needs positive"));
   EXPECT_THAT(refusal([] { SortedSample({1, -2}); }), HasSubstr("value -2"));
-  EXPECT_THAT(refusal([] { SortedSample(std::vector<double>{}); }),
-              HasSubstr("the sample is empty"));
+  EXPECT_THAT(refusal([] { SortedSample(std::vector<double>{}); }), HasSubstr("the sample is empty"));
   EXPECT_THAT(refusal([] {
                 fit_power_law(SortedSample({1, 2, 3, 4}));
               }),
               HasSubstr("4 values (a fit needs at least 5)"));
-  EXPECT_THAT(refusal([] {
-                fit_power_law(SortedSample({3, 3, 3, 3, 3}));
-              }),
-              HasSubstr("all 5 values equal 3"));
-  EXPECT_THAT(refusal([] {
-                fit_power_law(SortedSample({1, 2, 3}), 3.0);
-              }),
-              HasSubstr("leaves 1 of 3 values"));
+  EXPECT_THAT(refusal([] { fit_power_law(SortedSample({3, 3, 3, 3, 3})); }), HasSubstr("all 5 values equal 3"));
+  EXPECT_THAT(refusal([] { fit_power_law(SortedSample({1, 2, 3}), 3.0); }), HasSubstr("leaves 1 of 3 values"));
   EXPECT_THAT(refusal([] {
                 fit_power_law(SortedSample({1, 3, 3}), 3.0);
               }),
               HasSubstr("all values from xmin = 3 on equal it"));
-  EXPECT_THAT(refusal([] {
-                fit_power_law(SortedSample({1, 3, 3}), -1.0);
-              }),
-              HasSubstr("xmin = -1 (must be positive)"));
+  EXPECT_THAT(refusal([] { fit_power_law(SortedSample({1, 3, 3}), -1.0); }), HasSubstr("xmin = -1 (must be positive)"));
   EXPECT_THAT(refusal([] {
                 goodness_of_fit(SortedSample({1, 2, 3, 4, 5}), {}, {.replicates = 0});
               }),
@@ -164,8 +146,7 @@ TEST(GoodnessOfFit, uniform_for_a_true_power_law) {
   constexpr int trials = 100;
   for (std::uint64_t seed = 0; seed < trials; ++seed) {
     const SortedSample sample(pareto_sample(150, 2.5, {seed, 11}));
-    const double p =
-        goodness_of_fit(sample, fit_power_law(sample), {.replicates = 100, .seed = seed});
+    const double p = goodness_of_fit(sample, fit_power_law(sample), {.replicates = 100, .seed = seed});
     below_half += p < 0.5 ? 1 : 0;
     below_tenth += p < 0.1 ? 1 : 0;
   }
@@ -177,8 +158,7 @@ TEST(GoodnessOfFit, small_for_exponential_data_with_fixed_xmin) {
   auto values = exponential_sample(1000, 1.0, {2, 2});
   for (double& x : values) x += 1.0;
   const SortedSample sample(values);
-  EXPECT_LT(goodness_of_fit(sample, fit_power_law(sample, 1.0),
-                            {.replicates = 200, .lower_end = LowerEnd::fixed}),
+  EXPECT_LT(goodness_of_fit(sample, fit_power_law(sample, 1.0), {.replicates = 200, .lower_end = LowerEnd::fixed}),
             0.01);
 }
 
@@ -199,4 +179,4 @@ TEST(GoodnessOfFit, same_seed_same_value) {
 }
 
 }  // namespace
-}  // namespace clog::postprocess
+}  // namespace clogflow::postprocess

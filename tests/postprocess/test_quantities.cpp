@@ -3,12 +3,12 @@
 
 #include <gmock/gmock.h>
 
-#include "postprocess/counting_interval.hpp"
-#include "postprocess/quantities.hpp"
-#include "postprocess/survival_test.hpp"
+#include "postprocess/laws/counting_interval.hpp"
+#include "postprocess/laws/survival_test.hpp"
+#include "postprocess/summary/quantities.hpp"
 #include "tests/postprocess/samples.hpp"
 
-namespace clog::postprocess {
+namespace clogflow::postprocess {
 namespace {
 
 using testing::HasSubstr;
@@ -55,8 +55,7 @@ TEST(Quantities, bursts_of_one_particle_each_are_no_certainty) {
   EXPECT_NEAR(1 / mean.high, 0.5904, 1e-4);  // 0.025^(1/7)
   EXPECT_NEAR(known("mean_burst_with_zeros", std::vector<Totals>(7, one)).high,
               mean_burst_from_counts(7, 14, 0.95).high - 1, 1e-12);
-  EXPECT_NEAR(known("share_permanent", std::vector<Totals>(10, one)).high, 1 - std::pow(0.05, 0.1),
-              1e-12);
+  EXPECT_NEAR(known("share_permanent", std::vector<Totals>(10, one)).high, 1 - std::pow(0.05, 0.1), 1e-12);
 }
 
 TEST(Quantities, what_has_no_counts_has_no_interval_then) {
@@ -136,4 +135,4 @@ TEST(SurvivalTest, rules_out_what_is_exponential) {
 }
 
 }  // namespace
-}  // namespace clog::postprocess
+}  // namespace clogflow::postprocess

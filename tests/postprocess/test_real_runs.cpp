@@ -4,13 +4,13 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "coupling/run_file.hpp"
-#include "coupling/run_record.hpp"
-#include "coupling/source_folder.hpp"
-#include "postprocess/child_process.hpp"
+#include "coupling/base/child_process.hpp"
+#include "coupling/base/source_folder.hpp"
+#include "coupling/files/run_file.hpp"
+#include "coupling/files/run_record.hpp"
 #include "tests/scratch.hpp"
 
-namespace clog::postprocess {
+namespace clogflow::postprocess {
 namespace {
 
 using nlohmann::json;
@@ -21,8 +21,7 @@ protected:
   static void SetUpTestSuite() {
     here_ = scratch_folder() / "clog_real_run";
     std::filesystem::remove_all(here_);
-    run({"run", source_folder() / "scenes" / "paper.toml", "--out", here_, "--seeds", "1"},
-        settings());
+    run({"run", source_folder() / "scenes" / "paper.toml", "--out", here_, "--seeds", "1"}, settings());
     run({"stats", here_, "--out", here_ / "stats", "--p-value", "10"}, {});
     group_ = json::parse(std::ifstream(here_ / "stats" / "stats.json"))["groups"][0];
     data_ = read_run_file(here_ / run_file_name(1));
@@ -49,9 +48,8 @@ protected:
 };
 
 TEST_F(RealRun, records_every_name_that_is_read_again) {
-  for (const char* name :
-       {run_record::wall_time, run_record::fill_time, run_record::time_step,
-        run_record::contact_limit, run_record::particle_steps, run_record::particle_steps_per_s})
+  for (const char* name : {run_record::wall_time, run_record::fill_time, run_record::time_step,
+                           run_record::contact_limit, run_record::particle_steps, run_record::particle_steps_per_s})
     EXPECT_GT(data_.provenance.at(name).get<double>(), 0) << name;
   EXPECT_TRUE(data_.provenance.at(run_record::inputs_hash).is_string());
 }
@@ -79,4 +77,4 @@ TEST_F(RealRun, becomes_a_report) {
 }
 
 }  // namespace
-}  // namespace clog::postprocess
+}  // namespace clogflow::postprocess

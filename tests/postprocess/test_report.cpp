@@ -9,13 +9,13 @@
 
 #include <gmock/gmock.h>
 
-#include "postprocess/child_process.hpp"
-#include "postprocess/report.hpp"
-#include "postprocess/statistics_files.hpp"
+#include "coupling/base/child_process.hpp"
+#include "postprocess/output/report.hpp"
+#include "postprocess/output/statistics_files.hpp"
 #include "tests/postprocess/synthetic_ensemble.hpp"
 #include "tests/scratch.hpp"
 
-namespace clog::postprocess {
+namespace clogflow::postprocess {
 namespace {
 
 using testing::AllOf;
@@ -31,9 +31,7 @@ std::string text_of(const std::filesystem::path& file) {
 /// Sets a variable of the environment for the duration of a test.
 class Environment {
 public:
-  Environment(const char* name, const std::string& value) : name_(name) {
-    setenv(name, value.c_str(), 1);
-  }
+  Environment(const char* name, const std::string& value) : name_(name) { setenv(name, value.c_str(), 1); }
   ~Environment() { unsetenv(name_); }
 
 private:
@@ -82,17 +80,15 @@ protected:
 };
 
 TEST_F(Report, figures_in_both_formats_and_a_page_that_needs_no_other_file) {
-  make(write_ensemble(here_ / "runs",
-                      {.mean_burst = 5, .end = 0.3, .snapshot_interval = 0.01, .more = {}}, 2));
+  make(write_ensemble(here_ / "runs", {.mean_burst = 5, .end = 0.3, .snapshot_interval = 0.01, .more = {}}, 2));
   for (const char* figure : {"snapshots", "spatiotemporal", "bursts", "lapses", "series"}) {
     const auto name = here_ / "report" / figure;
     EXPECT_THAT(text_of(name.string() + ".png"), StartsWith("\x89PNG")) << figure;
     EXPECT_THAT(text_of(name.string() + ".svg"), HasSubstr("</svg>")) << figure;
   }
   const auto page = text_of(here_ / "report" / "report.html");
-  EXPECT_THAT(page,
-              AllOf(HasSubstr("data:image/png;base64,"), HasSubstr("D/d = 3.03"),
-                    HasSubstr("neck_width"), Not(HasSubstr("src=\"http")), HasSubstr("</html>")));
+  EXPECT_THAT(page, AllOf(HasSubstr("data:image/png;base64,"), HasSubstr("D/d = 3.03"), HasSubstr("neck_width"),
+                          Not(HasSubstr("src=\"http")), HasSubstr("</html>")));
 }
 
 TEST_F(Report, without_any_passage_the_figures_say_so) {
@@ -112,9 +108,8 @@ TEST_F(Report, without_any_passage_the_figures_say_so) {
 TEST_F(Report, a_script_that_is_killed_leaves_the_older_report) {
   std::filesystem::create_directories(here_ / "report");
   std::ofstream(here_ / "report" / "report.html") << "older";
-  const Environment override(
-      "CLOG_PYTHON",
-      interpreter("[ \"$1\" = -c ] && exit 0\necho half > \"$4/report.html\"\nkill -9 $$"));
+  const Environment override("CLOG_PYTHON",
+                             interpreter("[ \"$1\" = -c ] && exit 0\necho half > \"$4/report.html\"\nkill -9 $$"));
   EXPECT_THAT(refusal([&] { make_report(here_, here_ / "report"); }),
               AllOf(HasSubstr("report: no figures ("), HasSubstr("ended by signal 9, Killed")));
   EXPECT_EQ(text_of(here_ / "report" / "report.html"), "older");
@@ -125,11 +120,10 @@ TEST_F(Report, a_script_that_is_killed_leaves_the_older_report) {
 // and one after the script's end clears it.
 TEST_F(Report, what_a_killed_call_left_is_cleared_when_its_script_has_ended) {
   std::filesystem::create_directories(here_ / "report");
-  const Environment override(
-      "CLOG_PYTHON",
-      interpreter("[ \"$1\" = -c ] && exit 0\n"
-                  "[ ! -e \"$3/wait\" ] || { mkfifo \"$3/end\"; read x < \"$3/end\"; }\n"
-                  "echo page > \"$4/report.html\"\necho \"wrote $4/report.html\""));
+  const Environment override("CLOG_PYTHON",
+                             interpreter("[ \"$1\" = -c ] && exit 0\n"
+                                         "[ ! -e \"$3/wait\" ] || { mkfifo \"$3/end\"; read x < \"$3/end\"; }\n"
+                                         "echo page > \"$4/report.html\"\necho \"wrote $4/report.html\""));
   std::ofstream(here_ / "wait") << "";
   const pid_t killed = fork();
   if (killed == 0) {
@@ -146,8 +140,7 @@ TEST_F(Report, what_a_killed_call_left_is_cleared_when_its_script_has_ended) {
   std::ofstream(here_ / "end") << "now\n";
   const auto left = here_ / "report" / ".drawing.clog.part.d" / "report.html";
   for (int k = 0; k < 2000 && !std::filesystem::exists(left); ++k) usleep(5000);
-  for (int k = 0; k < 400 && files_in(here_ / "report").size() > 1; ++k)
-    make_report(here_, here_ / "report");
+  for (int k = 0; k < 400 && files_in(here_ / "report").size() > 1; ++k) make_report(here_, here_ / "report");
   EXPECT_THAT(files_in(here_ / "report"), testing::ElementsAre("report.html"));
 }
 
@@ -165,9 +158,9 @@ TEST_F(Report, what_cannot_be_known_is_said_in_its_place) {
     write_run_file(run_with_passages(seed, {0.01}), here_ / "runs" / run_file_name(seed));
   make(here_ / "runs");
   EXPECT_THAT(page(), AllOf(HasSubstr("&lt; 1.227 <span class=quiet>no arrest that a passage ended"),
-                          HasSubstr("1 <span class=quiet>[1, 2.515] resampled seeds all agree; "
-                                    "interval of the counts"),
-                          Not(HasSubstr("[1, 1]"))));
+                            HasSubstr("1 <span class=quiet>[1, 2.515] resampled seeds all agree; "
+                                      "interval of the counts"),
+                            Not(HasSubstr("[1, 1]"))));
 }
 
 // Bursts of 2 and 30 only, arrests that last 10 ms or 12 ms, and a second half that flows half as much.
@@ -187,8 +180,8 @@ TEST_F(Report, laws_that_are_ruled_out_and_runs_that_drift_are_marked) {
   }
   make(here_ / "runs");
   EXPECT_THAT(page(), AllOf(HasSubstr("<span class=\"ages\">power law ruled out (p &lt; 0.05): misses"),
-                          HasSubstr("<span class=\"ages\">drifts: the halves differ</span>"),
-                          HasSubstr("<span class=\"ages\">ruled out (p &lt; 0.001)</span>")));
+                            HasSubstr("<span class=\"ages\">drifts: the halves differ</span>"),
+                            HasSubstr("<span class=\"ages\">ruled out (p &lt; 0.001)</span>")));
   EXPECT_THAT(text_of(here_ / "report" / "bursts.svg"), HasSubstr("geometric law: ruled out"));
   EXPECT_THAT(text_of(here_ / "report" / "lapses.svg"), HasSubstr("ruled out: misses by"));
 }
@@ -218,18 +211,15 @@ TEST_F(Report, foreign_text_is_no_markup_in_the_page_and_no_mathematics_in_a_fig
 }
 
 TEST_F(Report, a_missing_module_is_named) {
-  const Environment override(
-      "CLOG_PYTHON",
-      interpreter("echo \"ModuleNotFoundError: No module named 'h5py'\" >&2\nexit 1"));
+  const Environment override("CLOG_PYTHON",
+                             interpreter("echo \"ModuleNotFoundError: No module named 'h5py'\" >&2\nexit 1"));
   EXPECT_THAT(refusal([&] { make_report(here_, here_); }),
-              AllOf(HasSubstr("No module named 'h5py'"),
-                    HasSubstr("apt-get install python3-matplotlib python3-h5py")));
+              AllOf(HasSubstr("No module named 'h5py'"), HasSubstr("apt-get install python3-matplotlib python3-h5py")));
 }
 
 TEST_F(Report, a_missing_interpreter_or_script_is_named) {
   const Environment python("CLOG_PYTHON", "/nonexistent/python3");
-  EXPECT_THAT(refusal([&] { make_report(here_, here_); }),
-              HasSubstr("/nonexistent/python3: cannot be started"));
+  EXPECT_THAT(refusal([&] { make_report(here_, here_); }), HasSubstr("/nonexistent/python3: cannot be started"));
   const Environment scripts("CLOG_FIGURES", "/nonexistent/figures");
   EXPECT_THAT(refusal([&] { make_report(here_, here_); }),
               HasSubstr("/nonexistent/figures/make_report.py: not found (set CLOG_FIGURES"));
@@ -238,8 +228,7 @@ TEST_F(Report, a_missing_interpreter_or_script_is_named) {
 TEST_F(Report, foreign_statistics_are_refused) {
   std::filesystem::create_directories(here_);
   std::ofstream(here_ / "stats.json") << R"({"format": "other"})";
-  EXPECT_THAT(refusal([&] { make_report(here_, here_); }),
-              HasSubstr("stats.json: not statistics of version 1"));
+  EXPECT_THAT(refusal([&] { make_report(here_, here_); }), HasSubstr("stats.json: not statistics of version 1"));
 }
 
 TEST(ChildProcess, status_and_output) {
@@ -250,4 +239,4 @@ TEST(ChildProcess, status_and_output) {
 }
 
 }  // namespace
-}  // namespace clog::postprocess
+}  // namespace clogflow::postprocess

@@ -3,13 +3,13 @@
 
 #include <gmock/gmock.h>
 
-#include "postprocess/run_groups.hpp"
-#include "postprocess/scene_lines.hpp"
-#include "postprocess/statistics_files.hpp"
+#include "postprocess/events/run_groups.hpp"
+#include "postprocess/events/scene_lines.hpp"
+#include "postprocess/output/statistics_files.hpp"
 #include "tests/postprocess/synthetic_ensemble.hpp"
 #include "tests/scratch.hpp"
 
-namespace clog::postprocess {
+namespace clogflow::postprocess {
 namespace {
 
 using nlohmann::json;
@@ -43,9 +43,7 @@ protected:
   SyntheticEnsemble short_runs_{.mean_burst = 6, .end = 0.5, .snapshot_interval = 0, .more = {}};
 };
 
-double number(const json& group, const char* quantity) {
-  return group["quantities"][quantity]["value"];
-}
+double number(const json& group, const char* quantity) { return group["quantities"][quantity]["value"]; }
 
 TEST_F(StatisticsFiles, recovers_the_laws_that_made_the_runs) {
   const SyntheticEnsemble ensemble{.end = 6, .snapshot_interval = 0, .more = {}};
@@ -56,8 +54,7 @@ TEST_F(StatisticsFiles, recovers_the_laws_that_made_the_runs) {
   EXPECT_NEAR(group["t_min"].get<double>(), 3.3e-3, 1e-15);
   EXPECT_NEAR(number(group, "mean_burst"), 12, 1.5);  // about 1000 bursts: three standard errors
   EXPECT_NEAR(number(group, "alpha_fixed"), 2.5, 0.2);
-  EXPECT_NEAR(group["power_law"]["fixed_censored"]["alpha"].get<double>(),
-              number(group, "alpha_fixed"), 1e-12);
+  EXPECT_NEAR(group["power_law"]["fixed_censored"]["alpha"].get<double>(), number(group, "alpha_fixed"), 1e-12);
   EXPECT_GT(group["power_law"]["fixed"]["p_value"].get<double>(), 0.02);
   EXPECT_EQ(group["power_law"]["fixed"]["exponential"]["favoured"], "power law");
   EXPECT_FALSE(group["power_law"]["fixed"]["discrete"].get<bool>());
@@ -98,16 +95,12 @@ TEST_F(StatisticsFiles, releases) {
 
 TEST_F(StatisticsFiles, tables_carry_units) {
   statistics_of({write_ensemble(here_ / "runs", short_runs_, 2)});
-  EXPECT_THAT(text("lapses.csv"),
-              StartsWith("group,seed,start [s],T [s],T/tau [1],ended_by\n0,1,"));
-  EXPECT_THAT(text("bursts.csv"),
-              StartsWith("group,seed,start [s],duration [s],s [1],while_off [1],kind\n"));
-  EXPECT_THAT(text("arrests.csv"),
-              StartsWith("group,seed,start [s],T [s],T/tau [1],ended_by,censored\n"));
+  EXPECT_THAT(text("lapses.csv"), StartsWith("group,seed,start [s],T [s],T/tau [1],ended_by\n0,1,"));
+  EXPECT_THAT(text("bursts.csv"), StartsWith("group,seed,start [s],duration [s],s [1],while_off [1],kind\n"));
+  EXPECT_THAT(text("arrests.csv"), StartsWith("group,seed,start [s],T [s],T/tau [1],ended_by,censored\n"));
   EXPECT_THAT(text("burst_distribution.csv"),
               StartsWith("group,s_from [1],s_to [1],s/<s> [1],count,P [1],error [1]\n0,0.5,"));
-  EXPECT_THAT(text("arrest_survival.csv"),
-              StartsWith("group,T [s],T/tau [1],S [1],error [1],at_risk,ended\n0,"));
+  EXPECT_THAT(text("arrest_survival.csv"), StartsWith("group,T [s],T/tau [1],S [1],error [1],at_risk,ended\n0,"));
   EXPECT_EQ(json::parse(text("stats.json"))["units"]["tau"], "s");
 }
 
@@ -140,8 +133,7 @@ TEST_F(StatisticsFiles, a_sweep_is_grouped_by_scene) {
   ASSERT_EQ(all["groups"].size(), 2U);
   EXPECT_EQ(all["groups"][0]["label"], "D/d = 2");
   EXPECT_EQ(all["groups"][0]["runs"].size(), 3U);
-  EXPECT_THAT(all["sweep"].get<std::vector<std::string>>(),
-              testing::Contains("particles.diameter"));
+  EXPECT_THAT(all["sweep"].get<std::vector<std::string>>(), testing::Contains("particles.diameter"));
 }
 
 TEST_F(StatisticsFiles, refusals_name_the_file) {
@@ -165,8 +157,7 @@ TEST_F(StatisticsFiles, refusals_name_the_file) {
   std::filesystem::create_directories(here_ / "empty");
   EXPECT_THAT(refusal([&] { statistics_of({here_ / "empty"}); }),
               HasSubstr("empty: no run_*.h5 here or one folder below"));
-  EXPECT_THAT(refusal([&] { statistics_of({here_ / "nowhere"}); }),
-              HasSubstr("nowhere: no such folder"));
+  EXPECT_THAT(refusal([&] { statistics_of({here_ / "nowhere"}); }), HasSubstr("nowhere: no such folder"));
 }
 
 TEST_F(StatisticsFiles, no_flow_needs_a_threshold) {
@@ -216,13 +207,12 @@ TEST(Filling, an_empty_start_counts_from_the_full_channel) {
 }
 
 TEST(SceneLines, differences_and_what_does_not_matter) {
-  const auto a = scene_lines(
-      "body_force = 1\n# note\n[time]\nend = \"1 s\"\n[output]\nseries_interval = \"2 s\"\n");
-  const auto b = scene_lines(
-      "body_force = 1\n[time]\nend = \"2 s\"\n[ensemble]\nseeds = [1]\n[drag]\nenabled = true\n");
+  const auto a = scene_lines("body_force = 1\n# note\n[time]\nend = \"1 s\"\n[output]\nseries_interval = \"2 s\"\n");
+  const auto b =
+      scene_lines("body_force = 1\n[time]\nend = \"2 s\"\n[ensemble]\nseeds = [1]\n[drag]\nenabled = true\n");
   EXPECT_THAT(differing_keys(a, b), ElementsAre("time.end", "drag.enabled"));
   EXPECT_TRUE(differing_keys(a, a).empty());
 }
 
 }  // namespace
-}  // namespace clog::postprocess
+}  // namespace clogflow::postprocess

@@ -3,11 +3,11 @@
 
 #include <gmock/gmock.h>
 
-#include "coupling/require.hpp"
-#include "postprocess/counting_interval.hpp"
-#include "postprocess/stopping_rule.hpp"
+#include "coupling/base/require.hpp"
+#include "postprocess/laws/counting_interval.hpp"
+#include "postprocess/summary/stopping_rule.hpp"
 
-namespace clog::postprocess {
+namespace clogflow::postprocess {
 namespace {
 
 using testing::HasSubstr;
@@ -76,4 +76,4 @@ TEST(StoppingRule, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace clog::postprocess
+}  // namespace clogflow::postprocess

@@ -5,11 +5,11 @@
 
 #include <gmock/gmock.h>
 
-#include "postprocess/statistics_files.hpp"
+#include "postprocess/output/statistics_files.hpp"
 #include "tests/postprocess/synthetic_ensemble.hpp"
 #include "tests/scratch.hpp"
 
-namespace clog::postprocess {
+namespace clogflow::postprocess {
 namespace {
 
 using nlohmann::json;
@@ -126,8 +126,7 @@ TEST_F(Sweeps, any_other_key_and_what_follows_from_it) {
   const json all = statistics();
   const json& trend = all.at("trend");
   EXPECT_EQ(trend.at("keys"), json({"contact.friction.rolling"}));
-  EXPECT_THAT(all.at("sweep").get<std::vector<std::string>>(),
-              Contains("contact.wall_friction.rolling"));
+  EXPECT_THAT(all.at("sweep").get<std::vector<std::string>>(), Contains("contact.wall_friction.rolling"));
   EXPECT_EQ(all.at("groups")[0].at("label"), "D/d = 3.03, friction.rolling = 0.2");
   EXPECT_EQ(trend.at("points")[2].at("x"), 0.8);
   const json& fit = trend.at("series")[0].at("mean_burst");
@@ -182,8 +181,7 @@ TEST_F(Sweeps, releases_cut_the_arrests_but_not_the_bursts) {
   const json& mean = point.at("mean_burst");
   EXPECT_NEAR(value(mean), 6, 0.7);
   EXPECT_EQ(mean.at("stops"), all.at("groups")[0].at("bursts").at("counted").get<int>() + 4);
-  EXPECT_EQ(value(mean),
-            value(all.at("groups")[0].at("quantities").at("mean_burst_memoryless")));
+  EXPECT_EQ(value(mean), value(all.at("groups")[0].at("quantities").at("mean_burst_memoryless")));
 }
 
 TEST_F(Sweeps, the_table_has_a_row_a_point_and_units) {
@@ -192,11 +190,11 @@ TEST_F(Sweeps, the_table_has_a_row_a_point_and_units) {
   statistics();
   const std::string table = text("points.csv");
   EXPECT_THAT(table, StartsWith("group,label,series,D/d [1],particles.diameter,runs,"));
-  EXPECT_THAT(table, AllOf(HasSubstr("\n0,\"D/d = 2\",0,2,\"50 um\",4,32,"),
-                           HasSubstr("\n1,\"D/d = 3.03\",0,3.03"), HasSubstr(",\"measured\",")));
+  EXPECT_THAT(table, AllOf(HasSubstr("\n0,\"D/d = 2\",0,2,\"50 um\",4,32,"), HasSubstr("\n1,\"D/d = 3.03\",0,3.03"),
+                           HasSubstr(",\"measured\",")));
   const auto lines = std::count(table.begin(), table.end(), '\n');
   EXPECT_EQ(lines, 3);
 }
 
 }  // namespace
-}  // namespace clog::postprocess
+}  // namespace clogflow::postprocess

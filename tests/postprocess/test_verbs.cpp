@@ -4,13 +4,13 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "coupling/source_folder.hpp"
-#include "postprocess/child_process.hpp"
+#include "coupling/base/child_process.hpp"
+#include "coupling/base/source_folder.hpp"
 #include "tests/postprocess/synthetic_ensemble.hpp"
 #include "tests/scratch.hpp"
 #include "tests/test_data.hpp"
 
-namespace clog::postprocess {
+namespace clogflow::postprocess {
 namespace {
 
 using testing::AllOf;
@@ -26,13 +26,11 @@ std::filesystem::path temporary(const char* name) { return scratch_folder() / na
 
 /// By a shell that first lets no file grow over a kilobyte, as on a full disk.
 ChildResult clog_without_room(const std::string& words) {
-  return run_program(
-      {"/bin/sh", "-c",
-       std::string("trap '' XFSZ; ulimit -f 1; exec ") + CLOG_PROGRAM + " " + words});
+  return run_program({"/bin/sh", "-c", std::string("trap '' XFSZ; ulimit -f 1; exec ") + CLOG_PROGRAM + " " + words});
 }
 
 TEST(Fit, prints_json) {
-  const auto plain = clog({"fit", clog::test_data("csn_surnames.txt")});
+  const auto plain = clog({"fit", clogflow::test_data("csn_surnames.txt")});
   ASSERT_EQ(plain.status, 0) << plain.output;
   const auto json = nlohmann::json::parse(plain.output);
   EXPECT_NEAR(json["alpha"].get<double>(), 2.5, 0.05);
@@ -44,37 +42,35 @@ TEST(Fit, prints_json) {
 
 // The continuous law has 4.88 for these counts of a law with 2.5, and cannot be told from a good fit.
 TEST(Fit, whole_numbers_have_the_discrete_law) {
-  const std::string file = clog::test_data("cases/counts61.txt");
+  const std::string file = clogflow::test_data("cases/counts61.txt");
   const auto json = nlohmann::json::parse(clog({"fit", file, "--xmin", "1"}).output);
   EXPECT_NEAR(json["alpha"].get<double>(), 2.5, 2 * json["sigma"].get<double>());
   EXPECT_EQ(json["discrete"], true);
   EXPECT_EQ(json["discrete_from"], "values");
-  const auto continuous =
-      nlohmann::json::parse(clog({"fit", file, "--xmin", "1", "--continuous"}).output);
+  const auto continuous = nlohmann::json::parse(clog({"fit", file, "--xmin", "1", "--continuous"}).output);
   EXPECT_EQ(continuous["discrete"], false);
   EXPECT_EQ(continuous["discrete_from"], "given");
   EXPECT_THAT(continuous["notes"][0].get<std::string>(), HasSubstr("whole numbers"));
   EXPECT_EQ(clog({"fit", file, "--continuous", "--discrete"}).status, 2);
-  const auto refused = clog({"fit", clog::test_data("csn_surnames.txt"), "--discrete"});
+  const auto refused = clog({"fit", clogflow::test_data("csn_surnames.txt"), "--discrete"});
   EXPECT_EQ(refused.status, 1);
   EXPECT_THAT(refused.output, HasSubstr("needs whole numbers"));
 }
 
 TEST(Fit, p_value_with_and_without_a_number_and_seeded) {
-  const std::string file = clog::test_data("csn_surnames.txt");
-  EXPECT_EQ(nlohmann::json::parse(clog({"fit", file, "--p-value"}).output)["p_value_replicates"],
-            1000);
+  const std::string file = clogflow::test_data("csn_surnames.txt");
+  EXPECT_EQ(nlohmann::json::parse(clog({"fit", file, "--p-value"}).output)["p_value_replicates"], 1000);
   const auto once = clog({"fit", file, "--p-value", "50", "--seed", "4"}).output;
   EXPECT_EQ(nlohmann::json::parse(once)["p_value_replicates"], 50);
   EXPECT_EQ(clog({"fit", file, "--p-value", "50", "--seed", "4"}).output, once);
 }
 
 TEST(Fit, xmin_given_and_refused) {
-  const auto fixed = nlohmann::json::parse(
-      clog({"fit", clog::test_data("csn_flares.txt"), "--xmin", "323"}).output);
+  const auto fixed =
+      nlohmann::json::parse(clog({"fit", clogflow::test_data("csn_flares.txt"), "--xmin", "323"}).output);
   EXPECT_NEAR(fixed["alpha"].get<double>(), 1.79, 0.005);
   EXPECT_EQ(fixed["xmin_from"], "given");
-  const auto refused = clog({"fit", clog::test_data("csn_flares.txt"), "--xmin", "1e9"});
+  const auto refused = clog({"fit", clogflow::test_data("csn_flares.txt"), "--xmin", "1e9"});
   EXPECT_EQ(refused.status, 1);
   EXPECT_THAT(refused.output, StartsWith("clog: xmin = 1000000000 leaves 0 of 12773 values"));
 }
@@ -86,8 +82,8 @@ TEST(Fit, wrong_usage_and_bad_files) {
 }
 
 TEST(Stats, from_runs_to_report) {
-  const auto runs = write_ensemble(temporary("clog_verbs_runs"),
-                                   {.end = 0.3, .snapshot_interval = 0.02, .more = {}}, 2);
+  const auto runs =
+      write_ensemble(temporary("clog_verbs_runs"), {.end = 0.3, .snapshot_interval = 0.02, .more = {}}, 2);
   const auto out = temporary("clog_verbs_stats");
   std::filesystem::remove_all(out);
   const auto stats = clog({"stats", runs.string(), "--out", out.string(), "--p-value", "10"});
@@ -113,8 +109,7 @@ TEST(Stats, a_link_that_leads_nowhere_is_named) {
 TEST(Stats, threshold_needs_a_time) {
   const auto refused = clog({"stats", ".", "--out", "x", "--threshold", "3 m"});
   EXPECT_EQ(refused.status, 1);
-  EXPECT_THAT(refused.output,
-              HasSubstr("--threshold 3 m (must be a positive time such as '3.3 ms')"));
+  EXPECT_THAT(refused.output, HasSubstr("--threshold 3 m (must be a positive time such as '3.3 ms')"));
   EXPECT_EQ(clog({"stats", "."}).status, 2);
 }
 
@@ -131,19 +126,16 @@ TEST(Info, the_effective_scene_into_a_file) {
 TEST(FullDisk, stats_says_why_and_leaves_nothing_unfinished) {
   const auto here = temporary("full");
   write_ensemble(here / "runs", {.mean_burst = 5, .end = 0.3, .more = {}}, 2);
-  const auto failed = clog_without_room("stats " + (here / "runs").string() + " --out " +
-                                        (here / "stats").string());
+  const auto failed = clog_without_room("stats " + (here / "runs").string() + " --out " + (here / "stats").string());
   EXPECT_EQ(failed.status, 1);
-  EXPECT_THAT(failed.output,
-              AllOf(StartsWith("clog: "), HasSubstr("(cannot be written: File too large)")));
+  EXPECT_THAT(failed.output, AllOf(StartsWith("clog: "), HasSubstr("(cannot be written: File too large)")));
   EXPECT_THAT(files_in(here / "stats"), testing::Each(testing::Not(HasSubstr(".part"))));
-  const auto walls =
-      clog_without_room("walls " + (source_folder() / "scenes" / "paper.toml").string() +
-                        " --out " + (here / "walls.stl").string());
+  const auto walls = clog_without_room("walls " + (source_folder() / "scenes" / "paper.toml").string() + " --out " +
+                                       (here / "walls.stl").string());
   EXPECT_EQ(walls.status, 1);
   EXPECT_THAT(walls.output, HasSubstr("walls.stl (cannot be written: File too large)"));
   EXPECT_THAT(files_in(here), testing::ElementsAre("runs", "stats"));
 }
 
 }  // namespace
-}  // namespace clog::postprocess
+}  // namespace clogflow::postprocess

@@ -4,11 +4,11 @@
 
 #include <gmock/gmock.h>
 
-#include "postprocess/counting_interval.hpp"
-#include "postprocess/weighted_line.hpp"
+#include "postprocess/laws/counting_interval.hpp"
+#include "postprocess/laws/weighted_line.hpp"
 #include "tests/postprocess/samples.hpp"
 
-namespace clog::postprocess {
+namespace clogflow::postprocess {
 namespace {
 
 using testing::HasSubstr;
@@ -43,8 +43,7 @@ TEST(WeightedLine, errors_that_explain_the_scatter_leave_none) {
 }
 
 TEST(WeightedLine, the_better_known_points_decide) {
-  const WeightedLine line =
-      fit_line({{0, 0, 1e-3}, {1, 1, 1e-3}, {2, 2, 1e-3}, {3, 9, 10}}, 0.95);
+  const WeightedLine line = fit_line({{0, 0, 1e-3}, {1, 1, 1e-3}, {2, 2, 1e-3}, {3, 9, 10}}, 0.95);
   EXPECT_NEAR(line.slope.value, 1, 1e-4);
   EXPECT_EQ(line.extra_scatter, 0);
 }
@@ -72,9 +71,10 @@ TEST(WeightedLine, intervals_cover_the_truth_with_and_without_extra_scatter) {
 }
 
 TEST(WeightedLine, refusals) {
-  EXPECT_THAT(refusal([] { fit_line({{0, 1, 1}, {1, 2, 1}}, 0.95); }),
-              HasSubstr("2 points (a line needs 3)"));
-  EXPECT_THAT(refusal([] { fit_line({{1, 1, 1}, {1, 2, 1}, {1, 3, 1}}, 0.95); }),
+  EXPECT_THAT(refusal([] { fit_line({{0, 1, 1}, {1, 2, 1}}, 0.95); }), HasSubstr("2 points (a line needs 3)"));
+  EXPECT_THAT(refusal([] {
+                fit_line({{1, 1, 1}, {1, 2, 1}, {1, 3, 1}}, 0.95);
+              }),
               HasSubstr("3 points at one place x = 1"));
 }
 
@@ -118,4 +118,4 @@ TEST(CountingInterval, wider_of_two) {
 }
 
 }  // namespace
-}  // namespace clog::postprocess
+}  // namespace clogflow::postprocess

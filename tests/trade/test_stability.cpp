@@ -6,7 +6,7 @@
 
 #include "trade/stability.hpp"
 
-namespace clog {
+namespace clogflow {
 namespace {
 
 TEST(StabilityMap, PointsReachFarOnEveryAxis) {
@@ -40,4 +40,4 @@ TEST(StabilityMap, APackAtRestShakesAboveThePredictedStepAndNotBelow) {
 }
 
 }  // namespace
-}  // namespace clog
+}  // namespace clogflow

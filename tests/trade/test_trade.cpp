@@ -4,8 +4,8 @@
 
 #include <gmock/gmock.h>
 
-#include "coupling/source_folder.hpp"
-#include "coupling/text_file.hpp"
+#include "coupling/base/source_folder.hpp"
+#include "coupling/base/text_file.hpp"
 #include "tests/coupling/refusal.hpp"
 #include "tests/faults/small_channel.hpp"
 #include "trade/fidelity.hpp"
@@ -13,14 +13,14 @@
 #include "trade/sample.hpp"
 #include "trade/study_file.hpp"
 
-namespace clog::test {
+namespace clogflow::test {
 namespace {
 
 using nlohmann::json;
 using testing::HasSubstr;
-using namespace clog::trade;
+using namespace clogflow::trade;
 
-const std::filesystem::path paper = clog::source_folder() / "scenes" / "paper.toml";
+const std::filesystem::path paper = clogflow::source_folder() / "scenes" / "paper.toml";
 
 /// Twenty pieces with 10 bursts each, of sizes that waver by `spread` around `mean`.
 Sample bursts_of(double mean, double spread) {
@@ -35,9 +35,7 @@ Sample bursts_of(double mean, double spread) {
   return sample;
 }
 
-const Observable& named(const std::string& key) {
-  return *std::ranges::find(observables(), key, &Observable::key);
-}
+const Observable& named(const std::string& key) { return *std::ranges::find(observables(), key, &Observable::key); }
 
 TEST(TradeCompare, SeesADifferenceOnlyBeyondItsInterval) {
   const Difference clear = compare(named("mean_burst"), bursts_of(8, 1), bursts_of(10, 1));
@@ -73,8 +71,9 @@ json study_with(const json& settings, double diameter) {
 }
 
 json entry(const char* name, double gain, double error, double step = 0.5) {
-  return {{"name", name}, {"kind", "numerics"}, {"overrides", {"time.mass_scale=2"}},
-          {"gain", gain}, {"error", error}, {"hidden", 2 * error}, {"step_over_limit", step}};
+  return {{"name", name},           {"kind", "numerics"}, {"overrides", {"time.mass_scale=2"}},
+          {"gain", gain},           {"error", error},     {"hidden", 2 * error},
+          {"step_over_limit", step}};
 }
 
 // b is cheap and good at one diameter and bad at the other, c is dear and good, d good and physics, e was
@@ -82,8 +81,15 @@ json entry(const char* name, double gain, double error, double step = 0.5) {
 TEST(TradePresets, FollowTheirRuleOverAllStudies) {
   json d = entry("d", 90, 0);
   d["kind"] = "physics";
-  const json one = study_with({entry("a", 1, 0), entry("b", 8, 0.01), entry("c", 3, 0.04), d, entry("e", 50, 0), entry("f", 70, 0, 0.89)}, 1);
-  const json two = study_with({entry("a", 1, 0), entry("b", 6, 0.09), entry("c", 4, 0.05), d, {{"name", "e"}, {"not_run", true}}, entry("f", 70, 0, 0.91)}, 2);
+  const json one = study_with(
+      {entry("a", 1, 0), entry("b", 8, 0.01), entry("c", 3, 0.04), d, entry("e", 50, 0), entry("f", 70, 0, 0.89)}, 1);
+  const json two = study_with({entry("a", 1, 0),
+                               entry("b", 6, 0.09),
+                               entry("c", 4, 0.05),
+                               d,
+                               {{"name", "e"}, {"not_run", true}},
+                               entry("f", 70, 0, 0.91)},
+                              2);
   const json both = combine({one, two});
   EXPECT_EQ(both["presets"], (json{{"reference", "a"}, {"standard", "c"}, {"fast", "b"}}));
   EXPECT_EQ(both["settings"].size(), 4u);
@@ -91,7 +97,9 @@ TEST(TradePresets, FollowTheirRuleOverAllStudies) {
   EXPECT_EQ(both["settings"][1]["error"], 0.09);
   EXPECT_EQ(both["settings"][2]["hidden"], 0.1);
   EXPECT_EQ(cheapest_within(both, 0.089)["name"], "c");
-  EXPECT_THAT(refusal([&] { cheapest_within(json{{"settings", json::array()}}, 0.01); }),
+  EXPECT_THAT(refusal([&] {
+                cheapest_within(json{{"settings", json::array()}}, 0.01);
+              }),
               HasSubstr("no setting was measured to be within 0.01"));
 }
 
@@ -104,7 +112,8 @@ TEST(TradePresets, RefuseWhatIsNoStudy) {
   for (const std::string& text : {nameless.dump(), worded.dump(), std::string("[1]"), std::string("{\"format\": 7}"),
                                   std::string(100'000, '['), std::string("no JSON")}) {
     std::ofstream(file) << text;
-    EXPECT_THAT(refusal([&] { read_study(file); }), HasSubstr("trade.json: not a trade.json of clog trade, or damaged"));
+    EXPECT_THAT(refusal([&] { read_study(file); }),
+                HasSubstr("trade.json: not a trade.json of clog trade, or damaged"));
   }
   std::ofstream(file) << study_with(json::array({entry("a", 1, 0)}), 1).dump();
   EXPECT_EQ(read_study(file).at("reference"), "a");
@@ -113,8 +122,7 @@ TEST(TradePresets, RefuseWhatIsNoStudy) {
 TEST(TradePresets, AreThoseOfTheCommittedStudy) {
   std::vector<json> studies;
   for (const char* name : {"d50.json", "d33.json", "d25.json"})
-    studies.push_back(json::parse(
-        read_text_file(clog::source_folder() / "docs" / "trade" / name)));
+    studies.push_back(json::parse(read_text_file(clogflow::source_folder() / "docs" / "trade" / name)));
   EXPECT_EQ(combine(studies), measured_settings());
 }
 
@@ -146,7 +154,9 @@ TEST(Fidelity, AToleranceChoosesTheCheapestWithinIt) {
 TEST(Fidelity, RefusesWhatItDoesNotKnow) {
   EXPECT_THAT(refusal([] { read_resolved_scene(paper, {"fidelity.preset=best"}); }),
               HasSubstr("fidelity.preset = \"best\" (must be \"reference\", \"standard\" or \"fast\")"));
-  EXPECT_THAT(refusal([] { read_resolved_scene(paper, {"fidelity.preset=fast", "fidelity.tolerance=0.1"}); }),
+  EXPECT_THAT(refusal([] {
+                read_resolved_scene(paper, {"fidelity.preset=fast", "fidelity.tolerance=0.1"});
+              }),
               HasSubstr("(one of them decides): leave one out"));
 }
 
@@ -219,4 +229,4 @@ TEST_F(ToyStudy, RefusesASettingThatItDoesNotKnow) {
 }
 
 }  // namespace
-}  // namespace clog::test
+}  // namespace clogflow::test

@@ -1,6 +1,6 @@
 #include "tests/verification/check.hpp"
 
-namespace clog::verification {
+namespace clogflow::verification {
 
 std::vector<Entry> all_groups() {
   return {{"chung_ooi_1", two_spheres_head_on},
@@ -22,4 +22,4 @@ std::vector<Entry> all_groups() {
           {"orders", orders}};
 }
 
-}  // namespace clog::verification
+}  // namespace clogflow::verification

@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
-namespace clog::verification {
+namespace clogflow::verification {
 
 struct Check {
-  std::string name;       ///< what was run
-  double reference;       ///< the law, or the published value; 0 where nothing should be left
+  std::string name;  ///< what was run
+  double reference;  ///< the law, or the published value; 0 where nothing should be left
   double ours;
-  double limit;           ///< on error()
-  bool relative = true;   ///< error over the reference; else in the quantity's own unit
+  double limit;          ///< on error()
+  bool relative = true;  ///< error over the reference; else in the quantity's own unit
 
   double error() const {
     const double difference = std::abs(ours - reference);
@@ -59,4 +59,4 @@ struct Entry {
 /// Everything, in the order of the report.
 std::vector<Entry> all_groups();
 
-}  // namespace clog::verification
+}  // namespace clogflow::verification

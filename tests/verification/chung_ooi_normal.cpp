@@ -3,10 +3,10 @@
 #include "tests/dem/laboratory.hpp"
 #include "tests/verification/check.hpp"
 
-namespace clog::verification {
+namespace clogflow::verification {
 
-using test::laboratory_scene;
 using test::Laboratory;
+using test::laboratory_scene;
 
 namespace {
 
@@ -68,7 +68,8 @@ struct Hertz {
 
 Group two_spheres_head_on() {
   Group group{"Chung & Ooi 1: two equal spheres head-on",
-              "Radius 10 mm, 10 m/s each, elastic. Published peaks for glass; closed forms of Hertz for both.", {}};
+              "Radius 10 mm, 10 m/s each, elastic. Published peaks for glass; closed forms of Hertz for both.",
+              {}};
   const Impact glass = pair_impact({48e9, 0.2, 2800, 0.02}, 10);
   group.checks.push_back({"glass, peak force, published [N]", 10.7039e3, glass.force, one_percent});
   group.checks.push_back({"glass, overlap, published [m]", 274e-6, glass.overlap, one_percent});
@@ -77,7 +78,8 @@ Group two_spheres_head_on() {
     const char* name;
     test::Substance substance;
   };
-  for (const auto& [name, s] : {Material{"glass", {48e9, 0.2, 2800, 0.02}}, Material{"limestone", {20e9, 0.25, 2500, 0.02}}}) {
+  for (const auto& [name, s] :
+       {Material{"glass", {48e9, 0.2, 2800, 0.02}}, Material{"limestone", {20e9, 0.25, 2500, 0.02}}}) {
     const double mass = s.density * M_PI / 6 * std::pow(s.diameter, 3);
     const Hertz hertz(mass / 2, s.diameter / 4, s.youngs_modulus / (2 * (1 - s.poisson_ratio * s.poisson_ratio)), 20);
     const Impact impact = pair_impact(s, 10);
@@ -90,8 +92,10 @@ Group two_spheres_head_on() {
 
 Group sphere_on_rigid_wall() {
   Group group{"Chung & Ooi 2: sphere against a rigid wall",
-              "Aluminium alloy, radius 0.1 m, 0.2 m/s, elastic, the wall 1000 times stiffer; Hertz's closed form with that wall. "
-              "(The digitised published curve peaks at 11.33 kN and 50.0 um.)", {}};
+              "Aluminium alloy, radius 0.1 m, 0.2 m/s, elastic, the wall 1000 times stiffer; Hertz's closed form with "
+              "that wall. "
+              "(The digitised published curve peaks at 11.33 kN and 50.0 um.)",
+              {}};
   const test::Substance alloy{70e9, 0.33, 2699, 0.2};
   Laboratory lab(wall_scene(alloy, 1e-7), {{.radius = 0.1, .z = 0.1 + 1e-9, .vz = -0.2}});
   const Impact impact = follow(lab);
@@ -107,8 +111,11 @@ Group sphere_on_rigid_wall() {
 
 Group restitution_sweep() {
   Group group{"Chung & Ooi 3: restitution out = restitution in",
-              "Aluminium oxide (E = 380 GPa, nu = 0.23, 4000 kg/m3) and cast iron (E = 104 GPa, nu = 0.25, 7200 kg/m3), radius 2.5 mm and 10 mm, 3.9 and 0.2 m/s "
-              "against a rigid wall. Our dashpot ends contact when the force has fallen to zero, so it never pulls; its constant is chosen for exactly that.", {}};
+              "Aluminium oxide (E = 380 GPa, nu = 0.23, 4000 kg/m3) and cast iron (E = 104 GPa, nu = 0.25, 7200 "
+              "kg/m3), radius 2.5 mm and 10 mm, 3.9 and 0.2 m/s "
+              "against a rigid wall. Our dashpot ends contact when the force has fallen to zero, so it never pulls; "
+              "its constant is chosen for exactly that.",
+              {}};
   struct Material {
     const char* name;
     test::Substance substance;
@@ -125,4 +132,4 @@ Group restitution_sweep() {
   return group;
 }
 
-}  // namespace clog::verification
+}  // namespace clogflow::verification

@@ -3,7 +3,7 @@
 #include "tests/dem/laboratory.hpp"
 #include "tests/verification/check.hpp"
 
-namespace clog::verification {
+namespace clogflow::verification {
 
 using test::Laboratory;
 using test::laboratory_scene;
@@ -53,11 +53,15 @@ void add_floor_checks(Group& group, const Floor& floor, const std::string& name)
     Laboratory lab(floor.scene({.sliding = mu}), {sphere});
     lab.run_until(end / 2);
     const double t = lab->time() - lab->model().dt / 2;  // velocities stand half a step before
-    group.checks.push_back({name + ": velocity while slipping / u0", 1 - mu * floor.load / mass * t / u0, lab.velocity(0).x() / u0, to_the_overlap});
-    group.checks.push_back({name + ": spin while slipping r w / u0", mu * floor.load * r / inertia * t * r / u0, lab.spin(0).y() * r / u0, to_the_overlap});
+    group.checks.push_back({name + ": velocity while slipping / u0", 1 - mu * floor.load / mass * t / u0,
+                            lab.velocity(0).x() / u0, to_the_overlap});
+    group.checks.push_back({name + ": spin while slipping r w / u0", mu * floor.load * r / inertia * t * r / u0,
+                            lab.spin(0).y() * r / u0, to_the_overlap});
     lab.run_until(1.5 * end);
-    group.checks.push_back({name + ": velocity when slip has ceased / u0", 5.0 / 7, lab.velocity(0).x() / u0, to_the_overlap});
-    group.checks.push_back({name + ": spin when slip has ceased r w / u0", 5.0 / 7, lab.spin(0).y() * r / u0, to_the_overlap});
+    group.checks.push_back(
+        {name + ": velocity when slip has ceased / u0", 5.0 / 7, lab.velocity(0).x() / u0, to_the_overlap});
+    group.checks.push_back(
+        {name + ": spin when slip has ceased r w / u0", 5.0 / 7, lab.spin(0).y() * r / u0, to_the_overlap});
   }
   {
     Particle sphere = floor.resting();
@@ -65,8 +69,9 @@ void add_floor_checks(Group& group, const Floor& floor, const std::string& name)
     Laboratory lab(floor.scene({.rolling = mu}), {sphere});
     lab.run_until(0.5 * sphere.wy * inertia / (mu * r * floor.load));
     const double t = lab->time() - lab->model().dt / 2;
-    group.checks.push_back({name + ": rolling decay w / w0 = 1 - 5 mu F t / (2 m r w0)", 1 - mu * r * floor.load / inertia * t / sphere.wy,
-                            lab.spin(0).y() / sphere.wy, to_the_overlap});
+    group.checks.push_back({name + ": rolling decay w / w0 = 1 - 5 mu F t / (2 m r w0)",
+                            1 - mu * r * floor.load / inertia * t / sphere.wy, lab.spin(0).y() / sphere.wy,
+                            to_the_overlap});
   }
   {
     Particle sphere = floor.resting();
@@ -74,8 +79,9 @@ void add_floor_checks(Group& group, const Floor& floor, const std::string& name)
     Laboratory lab(floor.scene({.torsion = mu}), {sphere});
     lab.run_until(0.5 * sphere.wz * inertia / (2 * mu * r * floor.load));
     const double t = lab->time() - lab->model().dt / 2;
-    group.checks.push_back({name + ": twist decay w / w0 = 1 - 5 mu F t / (m r w0)", 1 - 2 * mu * r * floor.load / inertia * t / sphere.wz,
-                            lab.spin(0).z() / sphere.wz, to_the_overlap});
+    group.checks.push_back({name + ": twist decay w / w0 = 1 - 5 mu F t / (m r w0)",
+                            1 - 2 * mu * r * floor.load / inertia * t / sphere.wz, lab.spin(0).z() / sphere.wz,
+                            to_the_overlap});
   }
   {
     const double slope = 0.3, duration = 500 * floor.period();
@@ -89,8 +95,12 @@ void add_floor_checks(Group& group, const Floor& floor, const std::string& name)
 }  // namespace
 
 Group sliding_and_rolling() {
-  Group group{"Friction on a floor", "Gross sliding, slip cessation at 5/7 u0, decay of rolling and twist, rolling down a slope; closed forms as in LAMMPS' examples. "
-              "Limit: the lever r - delta/2 and the length of the springs, of the order of the overlap (1e-4 r), and 100 steps a contact period.", {}};
+  Group group{"Friction on a floor",
+              "Gross sliding, slip cessation at 5/7 u0, decay of rolling and twist, rolling down a slope; closed forms "
+              "as in LAMMPS' examples. "
+              "Limit: the lever r - delta/2 and the length of the springs, of the order of the overlap (1e-4 r), and "
+              "100 steps a contact period.",
+              {}};
   add_floor_checks(group, floor_of(0.01, 2500, 1e8), "1 cm");
   {
     // Spinning without friction: nothing changes.
@@ -106,7 +116,10 @@ Group sliding_and_rolling() {
 }
 
 Group sizes() {
-  Group group{"The same laws at any size", "Friction on a floor for spheres of 1 um, 33 um and 1 m: springs of 1e-12 m and of 1e-5 m obey the same law, for nothing in it has a length of its own.", {}};
+  Group group{"The same laws at any size",
+              "Friction on a floor for spheres of 1 um, 33 um and 1 m: springs of 1e-12 m and of 1e-5 m obey the same "
+              "law, for nothing in it has a length of its own.",
+              {}};
   add_floor_checks(group, floor_of(0.5e-6, 1062, 3e6), "1 um");
   add_floor_checks(group, floor_of(16.5e-6, 1062, 3e6), "33 um");
   add_floor_checks(group, floor_of(0.5, 2500, 1e9), "1 m");
@@ -126,7 +139,8 @@ Check pressed_film(Scene s) {
   test::set_floor(s, 200 * r);
   Laboratory lab(s, {{.radius = r, .z = r + h0, .vz = -force * h0 / a}});
   for (int k = 0; k < 200; ++k) lab.step();
-  return {"implicit film under a pressed sphere: gap / first gap", std::exp(-1.0), (lab.position(0).z() - r) / h0, 1e-2};
+  return {"implicit film under a pressed sphere: gap / first gap", std::exp(-1.0), (lab.position(0).z() - r) / h0,
+          1e-2};
 }
 
 }  // namespace
@@ -134,8 +148,13 @@ Check pressed_film(Scene s) {
 Group fluid_closed_forms() {
   constexpr double eta = 1.8e-3, d = 33e-6, rho = 1062;
   const double mass = rho * M_PI / 6 * d * d * d, c = 3 * M_PI * eta * d;
-  Group group{"Drag and lubrication", "A sphere of 33 um in the paper's fluid: Stokes' terminal velocity under a force, relaxation with m / c, and two spheres that squeeze the film between them: "
-              "v = v0 - a/m* ln(h0/h), a = 3 pi eta d^2 / 8; the film under a sphere that a force presses on a floor, with implicit films at a step 130 times the explicit limit. Limits: first order in the step, 1000 to 2000 steps a response time; 1e-9 for the final state.", {}};
+  Group group{"Drag and lubrication",
+              "A sphere of 33 um in the paper's fluid: Stokes' terminal velocity under a force, relaxation with m / c, "
+              "and two spheres that squeeze the film between them: "
+              "v = v0 - a/m* ln(h0/h), a = 3 pi eta d^2 / 8; the film under a sphere that a force presses on a floor, "
+              "with implicit films at a step 130 times the explicit limit. Limits: first order in the step, 1000 to "
+              "2000 steps a response time; 1e-9 for the final state.",
+              {}};
   const auto scene = [&](double step) {
     Scene s = laboratory_scene({3e6, 0.35, rho, d}, step);
     s.fluid.viscosity = eta;
@@ -152,10 +171,12 @@ Group fluid_closed_forms() {
     Laboratory lab(s, {{.radius = d / 2}});
     lab.run_until(mass / c);
     const double t = lab->time() - lab->model().dt / 2;
-    group.checks.push_back({name + " drag: relaxation after m/c, v / u", 1 - std::exp(-t * c / mass), lab.velocity(0).x() / 5e-3, 1e-3});
+    group.checks.push_back(
+        {name + " drag: relaxation after m/c, v / u", 1 - std::exp(-t * c / mass), lab.velocity(0).x() / 5e-3, 1e-3});
     lab.run_until(30 * mass / c);
     group.checks.push_back({name + " drag: carried with the fluid [m/s]", 5e-3, lab.velocity(0).x(), 1e-9});
-    group.checks.push_back({name + " drag: terminal velocity F / (3 pi eta d) [m/s]", -1e-11 / c, lab.velocity(0).z(), 1e-9});
+    group.checks.push_back(
+        {name + " drag: terminal velocity F / (3 pi eta d) [m/s]", -1e-11 / c, lab.velocity(0).z(), 1e-9});
   }
   const double a = 3 * M_PI * eta * d * d / 8, h0 = 5e-6, v0 = 0.05;
   for (const Integrator integrator : {Integrator::verlet, Integrator::implicit_fluid}) {
@@ -170,11 +191,12 @@ Group fluid_closed_forms() {
       // Back from the half step at which the velocity stands.
       const double v = (lab.velocity(0) - lab.velocity(1)).x();
       const double h = (lab.position(1) - lab.position(0)).x() - d + v * lab->model().dt / 2;
-      group.checks.push_back({fmt::format("{} squeezed film at {} s: approach [m/s]", name, time), v0 - a / (mass / 2) * std::log(h0 / h), v, 2e-3});
+      group.checks.push_back({fmt::format("{} squeezed film at {} s: approach [m/s]", name, time),
+                              v0 - a / (mass / 2) * std::log(h0 / h), v, 2e-3});
     }
   }
   group.checks.push_back(pressed_film(scene(1)));
   return group;
 }
 
-}  // namespace clog::verification
+}  // namespace clogflow::verification

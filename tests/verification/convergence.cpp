@@ -2,7 +2,7 @@
 #include "tests/dem/laboratory.hpp"
 #include "tests/verification/check.hpp"
 
-namespace clog::verification {
+namespace clogflow::verification {
 
 using test::Laboratory;
 using test::laboratory_scene;
@@ -100,10 +100,12 @@ std::vector<Case> cases() {
 
 Group orders() {
   Group group{"Order of convergence in the time step",
-              "Differences of runs with 100, 200 and 400 steps. Springs follow places: second order. Dashpots, drag and lubrication take the velocity half a step before: first order (with "
-              "the paper's step their error is what the closed forms above show).", {}};
+              "Differences of runs with 100, 200 and 400 steps. Springs follow places: second order. Dashpots, drag "
+              "and lubrication take the velocity half a step before: first order (with "
+              "the paper's step their error is what the closed forms above show).",
+              {}};
   for (const Case& c : cases()) group.checks.push_back({c.name, c.order, measured_order(c), 0.25, false});
   return group;
 }
 
-}  // namespace clog::verification
+}  // namespace clogflow::verification

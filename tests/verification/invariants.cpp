@@ -3,7 +3,7 @@
 #include "tests/dem/wall_shapes.hpp"
 #include "tests/verification/check.hpp"
 
-namespace clog::verification {
+namespace clogflow::verification {
 
 using test::Laboratory;
 
@@ -32,7 +32,9 @@ Momentum momentum_of(const Particles& p) {
 
 Group momentum() {
   Group group{"Momentum of an isolated cloud",
-              "400 spheres of many sizes, all contact terms and lubrication, 2000 steps with many list rebuilds; change over the sum of the magnitudes. Limit: rounding, 2000 steps.", {}};
+              "400 spheres of many sizes, all contact terms and lubrication, 2000 steps with many list rebuilds; "
+              "change over the sum of the magnitudes. Limit: rounding, 2000 steps.",
+              {}};
   Laboratory lab(test::crowd_scene(1e-7), test::polydisperse_cloud(0.05));
   const Momentum before = momentum_of(lab->particles());
   for (int k = 0; k < 2000; ++k) lab.step();
@@ -52,7 +54,8 @@ Vec3 moved(const Vec3& x) { return rotation * x + shift; }
 
 std::vector<Particle> moved(std::vector<Particle> particles) {
   for (Particle& p : particles) {
-    const Vec3 x = moved(Vec3(p.x, p.y, p.z)), v = rotation * Vec3(p.vx, p.vy, p.vz), w = rotation * Vec3(p.wx, p.wy, p.wz);
+    const Vec3 x = moved(Vec3(p.x, p.y, p.z)), v = rotation * Vec3(p.vx, p.vy, p.vz),
+               w = rotation * Vec3(p.wx, p.wy, p.wz);
     p.x = x.x(), p.y = x.y(), p.z = x.z();
     p.vx = v.x(), p.vy = v.y(), p.vz = v.z();
     p.wx = w.x(), p.wy = w.y(), p.wz = w.z();
@@ -82,7 +85,8 @@ Difference compare(Laboratory& here, Laboratory& there, std::size_t count, int s
   double largest = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const auto id = static_cast<std::int64_t>(i);
-    difference.position = std::max(difference.position, (moved(here.position(id)) - there.position(id)).norm() / test::crowd_diameter);
+    difference.position =
+        std::max(difference.position, (moved(here.position(id)) - there.position(id)).norm() / test::crowd_diameter);
     difference.force = std::max(difference.force, (rotation * here.force(id) - there.force(id)).norm());
     largest = std::max(largest, here.force(id).norm());
   }
@@ -94,8 +98,11 @@ Difference compare(Laboratory& here, Laboratory& there, std::size_t count, int s
 
 Group frames() {
   Group group{"Frame of reference",
-              "The same scene rotated by two arbitrary angles and shifted: cells, order of pairs and all components differ, the motion must not. A free cloud, and the pack in its box: plain walls against the "
-              "same walls turned, from an STL file. Limit: rounding (1e-12 of an overlap), amplified by collisions for 200 steps.", {}};
+              "The same scene rotated by two arbitrary angles and shifted: cells, order of pairs and all components "
+              "differ, the motion must not. A free cloud, and the pack in its box: plain walls against the "
+              "same walls turned, from an STL file. Limit: rounding (1e-12 of an overlap), amplified by collisions for "
+              "200 steps.",
+              {}};
   {
     const auto cloud = test::polydisperse_cloud(0.02);
     Laboratory here(test::crowd_scene(1e-7), cloud), there(test::crowd_scene(1e-7), moved(cloud));
@@ -120,4 +127,4 @@ Group frames() {
   return group;
 }
 
-}  // namespace clog::verification
+}  // namespace clogflow::verification

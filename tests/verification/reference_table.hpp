@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "coupling/require.hpp"
+#include "coupling/base/require.hpp"
 #include "tests/test_data.hpp"
 
-namespace clog::verification {
+namespace clogflow::verification {
 
 struct Point {
   double x, y;
@@ -31,4 +31,4 @@ inline std::vector<Point> reference_curve(const std::string& file, const std::st
   return points;
 }
 
-}  // namespace clog::verification
+}  // namespace clogflow::verification

@@ -3,7 +3,7 @@
 
 #include "tests/verification/check.hpp"
 
-namespace clog::verification {
+namespace clogflow::verification {
 namespace {
 
 class Verification : public testing::TestWithParam<Entry> {};
@@ -20,4 +20,4 @@ INSTANTIATE_TEST_SUITE_P(Of, Verification, testing::ValuesIn(all_groups()),
                          [](const auto& info) { return info.param.name; });
 
 }  // namespace
-}  // namespace clog::verification
+}  // namespace clogflow::verification

@@ -7,8 +7,8 @@
 
 #include "tests/verification/check.hpp"
 
-using clog::verification::Check;
-using clog::verification::Group;
+using clogflow::verification::Check;
+using clogflow::verification::Group;
 
 namespace {
 
@@ -41,8 +41,8 @@ std::string cell(std::string text) {
 }
 
 std::string row(const Check& c) {
-  return fmt::format("| {} | {:.6g} | {:.6g} | {:.2e}{} | {:.1e} | {} |\n", cell(c.name), c.reference, c.ours, c.error(),
-                     c.relative ? "" : " abs", c.limit, c.passed() ? "yes" : "**NO**");
+  return fmt::format("| {} | {:.6g} | {:.6g} | {:.2e}{} | {:.1e} | {} |\n", cell(c.name), c.reference, c.ours,
+                     c.error(), c.relative ? "" : " abs", c.limit, c.passed() ? "yes" : "**NO**");
 }
 
 }  // namespace
@@ -50,10 +50,12 @@ std::string row(const Check& c) {
 int main(int argc, char** argv) {
   std::string page = introduction;
   int failed = 0, count = 0;
-  for (const auto& entry : clog::verification::all_groups()) {
+  for (const auto& entry : clogflow::verification::all_groups()) {
     const Group group = entry.run();
-    page += fmt::format("\n## {}\n\n{}\n\n| test | reference | ours | error | limit | within |\n| --- | ---: | ---: | ---: | ---: | --- |\n",
-                        group.title, group.remark);
+    page += fmt::format(
+        "\n## {}\n\n{}\n\n| test | reference | ours | error | limit | within |\n| --- | ---: | ---: | ---: | ---: | "
+        "--- |\n",
+        group.title, group.remark);
     for (const Check& check : group.checks) {
       page += row(check);
       ++count;

@@ -6,7 +6,7 @@
 
 #include "dem/physics/drag_laws/hoef.hpp"
 
-namespace clog {
+namespace clogflow {
 
 /// Neglects unequal sizes and that particles move among each other. With phi = 1 - eps:
 ///   f(eps, Re) = f_hoef(eps) + 0.413 Re / (24 eps^2)
@@ -27,4 +27,4 @@ struct BeetstraDrag {
   }
 };
 
-}  // namespace clog
+}  // namespace clogflow

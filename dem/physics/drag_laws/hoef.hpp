@@ -6,7 +6,7 @@
 
 #include "dem/physics/drag.hpp"
 
-namespace clog {
+namespace clogflow {
 
 /// Neglects the inertia of the fluid and unequal sizes.
 ///   f(eps) = 10 (1 - eps) / eps^2 + eps^2 (1 + 1.5 sqrt(1 - eps)),  f(1) = 1
@@ -22,4 +22,4 @@ struct HoefDrag {
   }
 };
 
-}  // namespace clog
+}  // namespace clogflow

@@ -5,7 +5,7 @@
 
 #include "dem/physics/drag.hpp"
 
-namespace clog {
+namespace clogflow {
 
 /// f = 1: neglects that neighbours hinder the flow.
 /// \source Stokes (1851)
@@ -16,4 +16,4 @@ struct StokesDrag {
   static double factor(const Surroundings&) { return 1; }
 };
 
-}  // namespace clog
+}  // namespace clogflow

@@ -3,7 +3,7 @@
 
 #include "dem/physics/material_pair.hpp"
 
-namespace clog {
+namespace clogflow {
 
 struct ContactMaterials {
   Material own, other;
@@ -14,4 +14,4 @@ struct ContactMaterials {
   double surface_energy = 0;      ///< work of adhesion w, both surfaces together [J/m2]; 0: none
 };
 
-}  // namespace clog
+}  // namespace clogflow

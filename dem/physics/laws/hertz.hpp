@@ -9,7 +9,7 @@
 #include "dem/physics/laws/contact_materials.hpp"
 #include "dem/physics/time_step.hpp"
 
-namespace clog {
+namespace clogflow {
 
 /// Elastic spheres that touch in a small circle; neglects adhesion, plasticity and the slip annulus.
 ///   F_n = max(0, k delta - gamma sqrt(m* k) v_n),  k = 4/3 E* sqrt(R* delta)
@@ -30,8 +30,8 @@ struct Hertz {
               damping_constant(m.restitution), 0};
     // Both dashpots are gamma sqrt(m* k) with their own stiffness, times the scene's ratio.
     law.tangential_damping =
-        m.tangential_damping * std::sqrt(mindlin_stiffness(law.tangential_factor, law.shear_modulus, 1.0) /
-                                         hertz_stiffness(law.modulus, 1.0));
+        m.tangential_damping *
+        std::sqrt(mindlin_stiffness(law.tangential_factor, law.shear_modulus, 1.0) / hertz_stiffness(law.modulus, 1.0));
     return law;
   }
 
@@ -74,4 +74,4 @@ struct Hertz {
   }
 };
 
-}  // namespace clog
+}  // namespace clogflow

@@ -10,7 +10,7 @@
 #include "dem/physics/laws/contact_materials.hpp"
 #include "dem/physics/time_step.hpp"
 
-namespace clog {
+namespace clogflow {
 
 /// Linear contact: a stiffness that knows neither size nor load, so that one step serves all contacts. It is a
 /// model of convenience: real spheres are soft when they begin to touch.
@@ -62,4 +62,4 @@ struct Hooke {
   }
 };
 
-}  // namespace clog
+}  // namespace clogflow

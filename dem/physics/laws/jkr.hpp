@@ -12,7 +12,7 @@
 #include "dem/physics/laws/contact_materials.hpp"
 #include "dem/physics/time_step.hpp"
 
-namespace clog {
+namespace clogflow {
 
 /// Soft elastic spheres that stick: the contact begins at touch and breaks at a gap of jkr_reach(). Neglects
 /// forces before touch; what the jump into contact sets free is lost at once.
@@ -35,7 +35,11 @@ struct Jkr {
   static Jkr of(const ContactMaterials& m) {
     const double own = effective_modulus(m.own, m.other), shear = effective_shear_modulus(m.own, m.other);
     const double ratio = mindlin_stiffness(m.tangential_factor, shear, 1.0) / hertz_stiffness(own, 1.0);
-    return {own, shear, m.tangential_factor, damping_constant(m.restitution), m.tangential_damping * std::sqrt(ratio),
+    return {own,
+            shear,
+            m.tangential_factor,
+            damping_constant(m.restitution),
+            m.tangential_damping * std::sqrt(ratio),
             m.surface_energy};
   }
 
@@ -90,4 +94,4 @@ struct Jkr {
   }
 };
 
-}  // namespace clog
+}  // namespace clogflow

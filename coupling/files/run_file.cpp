@@ -1,0 +1,269 @@
+// One table of columns serves writer and reader, so they cannot disagree about names and units.
+#include "coupling/files/run_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+#include "coupling/base/require.hpp"
+#include "coupling/files/hdf5_file.hpp"
+#include "coupling/files/provenance_record.hpp"
+#include "coupling/files/snapshot_index.hpp"
+
+namespace clogflow {
+namespace {
+
+const FileFormat run_format{.name = "clogflow run", .version = 1};
+
+// Run: RunData or const RunData. Visit: called with group, column, values, unit.
+template <class Run, class Visit>
+void for_each_column(Run& run, const Visit& visit) {
+  visit("/passages", "time", run.passages.time, "s");
+  visit("/passages", "id", run.passages.id, "1");
+  visit("/passages", "y", run.passages.y, "m");
+  visit("/passages", "z", run.passages.z, "m");
+  visit("/passages", "friction_off", run.passages.friction_off, "1");
+  visit("/releases", "off", run.releases.off, "s");
+  visit("/releases", "on", run.releases.on, "s");
+  visit("/releases", "largest_speed", run.releases.largest_speed, "m/s");
+  visit("/releases", "position", run.releases.position, "m");
+  visit("/series", "time", run.series.time, "s");
+  visit("/series", "count", run.series.count, "1");
+  visit("/series", "packing_fraction", run.series.packing_fraction, "1");
+  visit("/series", "kinetic_energy", run.series.kinetic_energy, "J");
+  visit("/series", "elastic_energy", run.series.elastic_energy, "J");
+  visit("/series", "largest_overlap", run.series.largest_overlap, "m");
+  visit("/series", "contacts", run.series.contacts, "1");
+  visit("/series", "wall_contacts", run.series.wall_contacts, "1");
+  visit("/series", "drag_work", run.series.drag_work, "J");
+  visit("/series", "dissipated", run.series.dissipated, "J");
+  visit("/series", "median_speed", run.series.median_speed, "m/s");
+  visit("/series", "speed_q99", run.series.speed_q99, "m/s");
+}
+
+// The vectors of one snapshot; `width` numbers a particle.
+template <class Snapshot, class Visit>
+void for_each_quantity(Snapshot& snapshot, const Visit& visit) {
+  visit("id", snapshot.id, "1", 1);
+  visit("radius", snapshot.radius, "m", 1);
+  visit("position", snapshot.position, "m", 3);
+  visit("velocity", snapshot.velocity, "m/s", 3);
+  visit("spin", snapshot.spin, "rad/s", 3);
+  visit("force", snapshot.force, "N", 3);
+  visit("torque", snapshot.torque, "N m", 3);
+}
+
+bool is_ordered(const std::vector<double>& times) {
+  return std::ranges::is_sorted(times) && std::ranges::all_of(times, [](double t) { return std::isfinite(t); });
+}
+
+}  // namespace
+
+RunRows rows_of(const RunData& run) {
+  return {run.passages.time.size(), run.releases.off.size(), run.series.time.size(), run.snapshots.size()};
+}
+
+bool cut_rows(RunData& run, const RunRows& rows) {
+  const RunRows there = rows_of(run);
+  if (rows.passages > there.passages || rows.releases > there.releases || rows.series > there.series ||
+      rows.snapshots > there.snapshots || !fault(run).empty())
+    return false;
+  for_each_column(run, [&](std::string_view group, const char*, auto& values, const char*) {
+    values.resize(group == "/passages" ? rows.passages : group == "/releases" ? rows.releases : rows.series);
+  });
+  run.series.porosity.resize(rows.series);
+  run.snapshots.resize(rows.snapshots);
+  return true;
+}
+
+std::string fault(const RunData& run) {
+  std::string wrong;
+  std::string_view table;
+  std::size_t rows = 0;
+  for_each_column(run, [&](std::string_view group, const char* column, const auto& values, const char*) {
+    if (group != table) rows = values.size();
+    table = group;
+    if (wrong.empty() && values.size() != rows)
+      wrong = fmt::format("{}/{} has {} rows (the columns before it have {})", group, column, values.size(), rows);
+  });
+  if (!wrong.empty()) return wrong;
+  if (run.series.porosity.size() != run.series.time.size())
+    return fmt::format("/series/porosity has {} rows (the other columns have {})", run.series.porosity.size(),
+                       run.series.time.size());
+  for (const auto& row : run.series.porosity)
+    if (row.size() != run.series.porosity[0].size()) return "/series/porosity has rows of different length";
+  for (const RunData::Snapshot& snapshot : run.snapshots)
+    for_each_quantity(snapshot, [&](const char* name, const auto& values, const char*, std::size_t width) {
+      if (wrong.empty() && values.size() != width * snapshot.id.size())
+        wrong = fmt::format("/snapshots/{} has {} numbers for {} particles at {} s", name, values.size(),
+                            snapshot.id.size(), snapshot.time);
+    });
+  if (!wrong.empty()) return wrong;
+  if (!is_ordered(run.passages.time)) return "/passages/time is not in ascending order, or not finite";
+  if (!is_ordered(run.series.time)) return "/series/time is not in ascending order, or not finite";
+  if (!(std::isfinite(run.end_time) && run.end_time >= 0))
+    return fmt::format("/end_time is {} s (must be from 0 on)", run.end_time);
+  return {};
+}
+
+namespace {
+
+void write_porosity(Hdf5Writer& out, const std::vector<std::vector<double>>& rows) {
+  std::vector<double> values;
+  for (const auto& row : rows) values.insert(values.end(), row.begin(), row.end());
+  out.write("/series/porosity", values, {.unit = "1", .shape = {rows.size(), rows.empty() ? 0 : rows[0].size()}});
+}
+
+std::vector<std::vector<double>> read_porosity(const Hdf5Reader& in) {
+  const Hdf5Array<double> array = in.read<double>("/series/porosity", "1");
+  in.check(array.shape.size() == 2, "/series/porosity is not [samples][strips]");
+  const std::size_t strips = array.shape[1];
+  // Without strips no numbers are stored, so the number of rows is all that bounds what follows.
+  in.check(array.shape[0] <= in.read<double>("/series/time", "s").values.size(),
+           "/series/porosity has more rows than /series/time");
+  std::vector<std::vector<double>> rows(array.shape[0]);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto first = array.values.begin() + static_cast<std::ptrdiff_t>(i * strips);
+    rows[i].assign(first, first + static_cast<std::ptrdiff_t>(strips));
+  }
+  return rows;
+}
+
+// All snapshots one after another in one array a quantity; `first` is where each begins.
+void write_snapshots(Hdf5Writer& out, const std::vector<RunData::Snapshot>& snapshots) {
+  RunData::Snapshot all;
+  std::vector<double> time;
+  std::vector<std::int64_t> first;
+  for (const RunData::Snapshot& snapshot : snapshots) {
+    time.push_back(snapshot.time);
+    first.push_back(static_cast<std::int64_t>(all.id.size()));
+    const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+    append(all.id, snapshot.id);
+    append(all.radius, snapshot.radius);
+    append(all.position, snapshot.position);
+    append(all.velocity, snapshot.velocity);
+    append(all.spin, snapshot.spin);
+    append(all.force, snapshot.force);
+    append(all.torque, snapshot.torque);
+  }
+  out.write("/snapshots/time", time, {.unit = "s", .shape = {}});
+  out.write("/snapshots/first", first, {.unit = "1", .shape = {}});
+  for_each_quantity(all, [&](const std::string& name, const auto& values, const char* unit, std::size_t width) {
+    const std::size_t count = all.id.size();
+    out.write("/snapshots/" + name, values,
+              {.unit = unit, .shape = width == 1 ? std::vector{count} : std::vector{count, width}});
+  });
+}
+
+// Where each snapshot begins, and where the last one ends.
+std::vector<std::size_t> read_bounds(const Hdf5Reader& in, std::size_t snapshots, std::size_t particles) {
+  const auto first = in.read<std::int64_t>("/snapshots/first", "1").values;
+  in.check(first.size() == snapshots, "/snapshots has arrays of different length");
+  std::vector<std::size_t> bounds(first.begin(), first.end());
+  bounds.push_back(particles);
+  in.check(std::ranges::is_sorted(bounds) && bounds[0] == 0, "/snapshots/first is impossible");
+  return bounds;
+}
+
+std::vector<RunData::Snapshot> read_snapshots(const Hdf5Reader& in) {
+  const auto time = in.read<double>("/snapshots/time", "s").values;
+  RunData::Snapshot all;
+  for_each_quantity(all, [&](const std::string& name, auto& values, const char* unit, std::size_t width) {
+    using Value = typename std::remove_cvref_t<decltype(values)>::value_type;
+    values = in.read<Value>("/snapshots/" + name, unit).values;
+    in.check(values.size() == width * all.id.size(), "/snapshots has arrays of different length");
+  });
+  const std::vector<std::size_t> bounds = read_bounds(in, time.size(), all.id.size());
+  std::vector<RunData::Snapshot> snapshots(time.size());
+  for (std::size_t i = 0; i < snapshots.size(); ++i) {
+    const auto slice = [&](const auto& from, std::size_t width) {
+      const auto at = [&](std::size_t row) { return from.begin() + static_cast<std::ptrdiff_t>(width * row); };
+      return std::remove_cvref_t<decltype(from)>(at(bounds[i]), at(bounds[i + 1]));
+    };
+    RunData::Snapshot& snapshot = snapshots[i];
+    snapshot.time = time[i];
+    snapshot.id = slice(all.id, 1);
+    snapshot.radius = slice(all.radius, 1);
+    snapshot.position = slice(all.position, 3);
+    snapshot.velocity = slice(all.velocity, 3);
+    snapshot.spin = slice(all.spin, 3);
+    snapshot.force = slice(all.force, 3);
+    snapshot.torque = slice(all.torque, 3);
+  }
+  return snapshots;
+}
+
+}  // namespace
+
+void write_run_file(const RunData& run, const std::filesystem::path& file) {
+  const std::string wrong = fault(run);
+  require(wrong.empty(), "{}: {}", file.string(), wrong);
+  Hdf5Writer out(file, run_format);
+  for_each_column(run, [&](const std::string& group, const char* column, const auto& values, const char* unit) {
+    out.write(group + "/" + column, values, {.unit = unit, .shape = {}});
+  });
+  write_porosity(out, run.series.porosity);
+  write_snapshots(out, run.snapshots);
+  out.write("/end_time", std::vector<double>{run.end_time}, {.unit = "s", .shape = {}});
+  out.write("/provenance/seed", std::vector<std::uint64_t>{run.seed}, {.unit = "1", .shape = {}});
+  out.write_text("/provenance/scene", run.scene_text);
+  out.write_text("/provenance/record", run.provenance.dump(2));
+  if (!run.end_state.empty())
+    out.write("/end_state", std::vector<std::uint8_t>(run.end_state.begin(), run.end_state.end()),
+              {.unit = "1", .shape = {}});
+  // The run file comes last: where it stands, the seed is done.
+  write_snapshot_index(run, file);
+  out.finish();
+}
+
+namespace {
+
+void read_head(const Hdf5Reader& in, RunData& run) {
+  const auto end_time = in.read<double>("/end_time", "s").values;
+  const auto seed = in.read<std::uint64_t>("/provenance/seed", "1").values;
+  in.check(end_time.size() == 1 && seed.size() == 1, "/end_time or /provenance/seed is not one number");
+  run.end_time = end_time[0];
+  run.seed = seed[0];
+  run.scene_text = in.read_text("/provenance/scene");
+  run.provenance = read_record(in);
+}
+
+}  // namespace
+
+RunData read_run_file(const std::filesystem::path& file) {
+  const Hdf5Reader in(file, run_format);
+  RunData run;
+  for_each_column(run, [&](const std::string& group, const char* column, auto& values, const char* unit) {
+    using Value = typename std::remove_cvref_t<decltype(values)>::value_type;
+    auto array = in.read<Value>(group + "/" + column, unit);
+    in.check(array.shape.size() == 1, group + "/" + column + " is not a column");
+    values = std::move(array.values);
+  });
+  run.series.porosity = read_porosity(in);
+  run.snapshots = read_snapshots(in);
+  read_head(in, run);
+  const std::string wrong = fault(run);
+  in.check(wrong.empty(), wrong);
+  for (const auto* times : {&run.passages.time, &run.series.time, &run.releases.off})
+    in.check(
+        times->empty() || times->back() <= run.end_time,
+        fmt::format("a time of {} s is beyond /end_time = {} s", times->empty() ? 0 : times->back(), run.end_time));
+  return run;
+}
+
+RunData read_run_head(const std::filesystem::path& file) {
+  RunData run;
+  read_head(Hdf5Reader(file, run_format), run);
+  return run;
+}
+
+std::string read_end_state(const std::filesystem::path& file) {
+  const Hdf5Reader in(file, run_format);
+  if (!in.has("/end_state")) return {};
+  const auto bytes = in.read<std::uint8_t>("/end_state", "1").values;
+  return {bytes.begin(), bytes.end()};
+}
+
+std::string run_file_name(std::uint64_t seed) { return fmt::format("run_{:04}.h5", seed); }
+
+}  // namespace clogflow

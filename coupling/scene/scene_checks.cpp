@@ -1,0 +1,170 @@
+// Checks that concern more than one key: each says the value, and what it must agree with.
+#include <algorithm>
+#include <cmath>
+
+#include "coupling/base/require.hpp"
+#include "coupling/base/units.hpp"
+#include "coupling/geometry/channel_shape.hpp"
+#include "coupling/geometry/stl_channel.hpp"
+#include "coupling/scene/scene_draft.hpp"
+#include "coupling/scene/scene_keys.hpp"
+#include "coupling/scene/sweep.hpp"
+
+namespace clogflow {
+namespace {
+
+std::string metres(double value) { return format_quantity(value, dimension::length); }
+
+/// A default is computed from other values, and extreme ones make it infinite.
+void check_defaults(const SceneDraft& draft) {
+  Scene scene = draft.scene;
+  for (const Key& key : scene_keys())
+    if (const auto* number = std::get_if<NumberSlot>(&key.slot))
+      require(std::isfinite(number->at(scene)), "{} (must be a finite number: give it, or less extreme values)",
+              draft.says(key.path));
+}
+
+void check_walls(const SceneDraft& draft) {
+  const auto& geometry = draft.scene.geometry;
+  const auto& box = draft.scene.box;
+  require(!(geometry.present && box.present),
+          "{}: [geometry] and [box] are both present (each gives walls: choose one)", draft.name);
+  if (geometry.present && geometry.neck_width > 0)
+    require(geometry.channel_width >= geometry.neck_width, "{} (must not be wider than geometry.channel_width = {})",
+            draft.says("geometry.neck_width"), metres(geometry.channel_width));
+  for (const char* key : {"geometry.stl_unit", "geometry.stl_tolerance"})
+    require(!draft.has(key) || !geometry.stl.empty(), "{} (needs geometry.stl too)", draft.says(key));
+  if (geometry.present && geometry.neck_width > 0 && geometry.stl.empty()) {
+    for (const char* key : {"geometry.expansion_length", "geometry.expansion_angle"})
+      require(!draft.has(key) || geometry.expansion_width > 0, "{} (needs geometry.expansion_width too)",
+              draft.says(key));
+    const std::string fault = shape_fault(draft.scene.geometry);
+    require(fault.empty(), "{}: {}", draft.name, fault);
+  }
+  for (int axis = 0; box.present && axis < 3; ++axis)
+    require(box.max[axis] > box.min[axis], "{} (must be larger than box.min in each component)", draft.says("box.max"));
+}
+
+void check_particles(const SceneDraft& draft) {
+  const Scene& scene = draft.scene;
+  const double diameter = scene.particles.diameter;
+  const auto fits = [&](double opening, std::string_view name) {
+    require(opening == 0 || diameter < opening, "{} (must be smaller than {} = {}, or no particle fits through)",
+            draft.says("particles.diameter"), name, metres(opening));
+  };
+  if (scene.geometry.present) {
+    fits(scene.geometry.neck_width, "geometry.neck_width");
+    fits(scene.geometry.neck_height, "geometry.neck_height");
+    fits(scene.geometry.channel_length, "geometry.channel_length");
+  }
+  for (int axis = 0; scene.box.present && axis < 3; ++axis)
+    fits(scene.box.max[axis] - scene.box.min[axis], fmt::format("the box along {}", "xyz"[axis]));
+  require(scene.particles.roughness < diameter / 4, "{} (must be smaller than a quarter of particles.diameter = {})",
+          draft.says("particles.roughness"), metres(diameter));
+  if (scene.lubrication.enabled)
+    require(scene.lubrication.cutoff > 2 * scene.particles.roughness,
+            "{} (must be larger than 2 particles.roughness = {})", draft.says("lubrication.cutoff"),
+            metres(2 * scene.particles.roughness));
+}
+
+void check_flow(const SceneDraft& draft) {
+  const auto& flow = draft.scene.flow;
+  const auto& geometry = draft.scene.geometry;
+  if (draft.has("flow.velocity"))
+    require(flow.source == FlowSource::uniform || draft.scene.flow.velocity == std::array<double, 3>{},
+            "{} (is only for flow.source = \"uniform\")", draft.says("flow.velocity"));
+  if (flow.source == FlowSource::openfoam)
+    require(flow.grid_spacing <= geometry.neck_width / 4, "{} (must be at most a quarter of geometry.neck_width = {})",
+            draft.says("flow.grid_spacing"), metres(geometry.neck_width));
+  require(!flow.extrapolate || flow.source == FlowSource::openfoam, "{} (is only for flow.source = \"openfoam\")",
+          draft.says("flow.extrapolate"));
+  require(!flow.rescale || flow.source == FlowSource::openfoam, "{} (is only for flow.source = \"openfoam\")",
+          draft.says("flow.rescale"));
+  if (flow.pulsation.strength > 0) {
+    require(flow.pulsation.time > 0, "{} (needs flow.pulsation.time, e.g. \"6.6 ms\")",
+            draft.says("flow.pulsation.strength"));
+    require(flow.source != FlowSource::none, "{} (there is no flow to pulsate)", draft.says("flow.pulsation.strength"));
+  }
+}
+
+/// A constant that only one law has is given with it, and with no other.
+void check_constant_of_law(const SceneDraft& draft, std::string_view law, const char* key, const char* example) {
+  const bool chosen = word_of(draft.scene, "contact.law") == law;
+  require(!chosen || draft.has(key), "{}: {} is missing (contact.law = \"{}\" needs it): give it, e.g. \"{}\"",
+          draft.name, key, law, example);
+  require(chosen || !draft.has(key), "{} (is only for contact.law = \"{}\")", draft.says(key), law);
+}
+
+void check_contact(const SceneDraft& draft) {
+  check_constant_of_law(draft, "hooke", "contact.stiffness", "10 N/m");
+  check_constant_of_law(draft, "jkr", "contact.surface_energy", "1 mJ/m2");
+  const auto& contact = draft.scene.contact;
+  require(contact.torsion_update == TorsionUpdate::objective || contact.turning == TurningWord::luding,
+          "{} (is an experiment with contact.turning = \"luding\")", draft.says("contact.torsion_update"));
+  require(contact.law == ContactLawWord::hertz ||
+              (contact.torsion_update == TorsionUpdate::objective && contact.turning == TurningWord::luding),
+          "{} (has neither contact.turning = \"mercury\" nor contact.torsion_update = \"doubling\")",
+          draft.says("contact.law"));
+}
+
+void check_terms(const SceneDraft& draft) {
+  const Scene& scene = draft.scene;
+  const bool shape = scene.geometry.present && scene.geometry.neck_width > 0;
+  if (scene.drag.fluctuation.strength > 0) {
+    require(scene.drag.fluctuation.time > 0, "{} (needs drag.fluctuation.time, e.g. \"6.6 ms\")",
+            draft.says("drag.fluctuation.strength"));
+    require(scene.drag.enabled, "{} (needs drag)", draft.says("drag.fluctuation.strength"));
+  }
+  require(scene.porosity.strips == 0 || shape, "{} (strips need a [geometry] with neck_width)",
+          draft.says("porosity.strips"));
+  require(!scene.inlet.enabled || shape, "{}: [inlet] is on (an inlet needs a [geometry] with neck_width)", draft.name);
+  const bool driven = scene.flow.source != FlowSource::none || scene.body_force != std::array<double, 3>{};
+  require(!scene.inlet.enabled || driven,
+          "{}: [inlet] is on (nothing carries particles away from it: give flow.source or body_force)", draft.name);
+  require(scene.unclog.protocol == UnclogProtocol::none || shape, "{} (needs a [geometry] with neck_width)",
+          draft.says("unclog.protocol"));
+  // What counts as rest is a share of the flow's speed.
+  require(scene.unclog.protocol == UnclogProtocol::none || scene.flow_speed() > 0,
+          "{} (needs a flow, which tells when a clog is at rest)", draft.says("unclog.protocol"));
+  require(!scene.inlet.enabled || scene.inlet.start == InletStart::empty || scene.flow_speed() > 0,
+          "{} (a flow must fill the channel: set flow.source, or inlet.start = \"empty\")", draft.says("inlet.start"));
+}
+
+/// Nothing is ever counted at a plane that no particle reaches, or before which none begins.
+void check_plane(const SceneDraft& draft) {
+  const Scene& s = draft.scene;
+  const auto lies_between = [&](double start, double end, const char* where) {
+    require(s.passages.plane > start && s.passages.plane < end, "{} (must be in the {}, from {} to {})",
+            draft.says("passages.plane"), where, metres(start), metres(end));
+  };
+  // A laboratory counts nothing unless a plane is given.
+  if (s.box.present && s.passages.plane != 0) lies_between(s.box.min[0], s.box.max[0], "box");
+  const bool by_keys = s.geometry.stl.empty() && s.geometry.neck_width > 0;
+  if (s.geometry.present && (by_keys || is_stl_channel(s.geometry)))
+    lies_between(channel_start(s.geometry), channel_end(s.geometry), "channel");
+}
+
+void check_times(const SceneDraft& draft) {
+  const auto& time = draft.scene.time;
+  require(time.step <= time.end, "{} (must not exceed time.end = {} s)", draft.says("time.step"), time.end);
+}
+
+}  // namespace
+
+void check_scene(const SceneDraft& draft) {
+  try {
+    sweep_points(draft.scene.ensemble.sweep);
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", draft.says("ensemble.sweep"), error.what()));
+  }
+  check_defaults(draft);
+  check_walls(draft);
+  check_particles(draft);
+  check_flow(draft);
+  check_contact(draft);
+  check_terms(draft);
+  check_plane(draft);
+  check_times(draft);
+}
+
+}  // namespace clogflow

@@ -1,0 +1,217 @@
+// The key table. Names, dimensions, limits and one line of explanation; defaults that depend on
+// other keys are computed in scene_defaults.cpp.
+#include "coupling/scene/scene_keys.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "coupling/base/nearest_word.hpp"
+
+namespace clogflow {
+namespace {
+
+constexpr Range any{};
+constexpr Range positive{.low = 0, .low_allowed = false};
+constexpr Range non_negative{.low = 0};
+constexpr Range fraction{.low = 0, .high = 1, .low_allowed = false};
+// Its dashpot grows like e^(-1/2) and limits the step; 0.001 is as good as none.
+constexpr Range restitution{.low = 1e-3, .high = 1};
+
+// A member of Scene is named as its key, so one spelling serves as both.
+#define AT(member) \
+  [](Scene & scene) -> auto& { return scene.member; }
+#define NUMBER(member, dimension, range, doc) \
+  Key { #member, NumberSlot{AT(member), dimension, range }, doc }
+#define ANGLE(member, doc) \
+  Key { #member, AngleSlot{AT(member) }, doc }
+#define VECTOR(member, dimension, doc) \
+  Key { #member, VectorSlot{AT(member), dimension }, doc }
+#define COUNT(member, range, doc) \
+  Key { #member, CountSlot{AT(member), range }, doc }
+#define SWITCH(member, doc) \
+  Key { #member, SwitchSlot{AT(member) }, doc }
+#define TEXT(member, doc) \
+  Key { #member, TextSlot{AT(member) }, doc }
+#define WORD(member, doc, ...)                                                            \
+  Key {                                                                                   \
+#member, WordSlot{{__VA_ARGS__},                                                        \
+                      [](const Scene& scene) { return static_cast<int>(scene.member); },    \
+                      [](Scene& scene, int word) {                                          \
+                        scene.member = static_cast<decltype(scene.member)>(word);           \
+                      }},                                                                   \
+        doc \
+  }
+
+// clang-format off
+std::vector<Key> make_keys() {
+  using namespace dimension;
+  return {
+      VECTOR(body_force, force, "on every particle, three forces; stands before the first section"),
+
+      NUMBER(geometry.neck_width, length, positive, "y extent of the neck, D"),
+      NUMBER(geometry.neck_height, length, positive, "z extent of neck and channel; default neck_width"),
+      NUMBER(geometry.channel_width, length, positive, "y extent of the wide channel; default 4 neck_width"),
+      NUMBER(geometry.channel_length, length, positive, "straight part upstream of the narrowing; default 10 neck_width"),
+      NUMBER(geometry.neck_length, length, positive, "straight part of the neck; default neck_width"),
+      ANGLE(geometry.half_angle, "of the narrowing, from the flow axis; 90 deg is a step"),
+      ANGLE(geometry.half_angle_below, "of the wall at y < 0, where the narrowing is asymmetric; default half_angle"),
+      NUMBER(geometry.neck_rounding, length, positive, "radius of the rounded entrance of the neck; default: a sharp edge"),
+      NUMBER(geometry.step_width, length, positive, "y extent of a straight part between two narrowings; default: one narrowing"),
+      NUMBER(geometry.step_length, length, positive, "length of that part"),
+      NUMBER(geometry.expansion_width, length, positive, "y extent of the channel that follows the neck; default: the neck is the end"),
+      NUMBER(geometry.expansion_length, length, positive, "its straight part; default expansion_width"),
+      ANGLE(geometry.expansion_angle, "of its walls, from the flow axis; default half_angle"),
+      TEXT(geometry.stl, "walls from this STL file instead of the shape above; with neck_width a channel whose inlet and outlet are named"),
+      NUMBER(geometry.stl_unit, length, positive, "length that the STL file counts in; default 1 m"),
+      NUMBER(geometry.stl_tolerance, length, non_negative, "corners of the STL file that differ by less along x, y and z are one; default 1e-6 of its largest extent"),
+      TEXT(geometry.stl_content, "content hash of the STL file of a channel; default: computed"),
+      NUMBER(geometry.inlet_position, length, (Range{.high = 0, .high_allowed = false}), "x of the inlet of an STL channel; default: measured"),
+      NUMBER(geometry.outlet_position, length, positive, "x of the outlet of an STL channel; default: measured"),
+
+      VECTOR(box.min, length, "lower corner of plain walls around a laboratory scene"),
+      VECTOR(box.max, length, "upper corner"),
+
+      NUMBER(fluid.viscosity, viscosity, positive, "of the fluid"),
+      NUMBER(fluid.density, density, positive, "of the fluid"),
+
+      WORD(flow.source, "where the flow comes from; default openfoam with a [geometry], none without", "openfoam", "uniform", "none"),
+      NUMBER(flow.mean_velocity, velocity, positive, "mean over the wide channel"),
+      VECTOR(flow.velocity, velocity, "of a uniform flow: three velocities, or one along x"),
+      NUMBER(flow.mesh_cells_per_neck, number, (Range{.low = 4, .high = 400}), "mesh cells across the full neck width; default 48"),
+      SWITCH(flow.extrapolate, "solve on half as many cells along each edge too, and extrapolate to cells of no size; default true for a shape given by keys, from 16 cells on"),
+      NUMBER(flow.grid_spacing, length, positive, "of the regular grid, a whole fraction of the neck height; default near neck_width / 50"),
+      NUMBER(flow.grid_tolerance, number, (Range{.low = 0, .high = 1, .low_allowed = false}), "rms error of reading the grid in the neck, over the mean velocity there, that grid_spacing is chosen for where it is not given"),
+      WORD(flow.lookup, "how the grid is read", "nearest", "trilinear"),
+      SWITCH(flow.rescale, "scale the field to mean_velocity, so that one solution serves several velocities"),
+      NUMBER(flow.pulsation.strength, number, non_negative, "standard deviation of a random factor on the whole flow; default 0: off"),
+      NUMBER(flow.pulsation.time, time, positive, "its correlation time"),
+
+      NUMBER(particles.diameter, length, positive, "of a particle"),
+      NUMBER(particles.density, density, positive, "of the particles; default fluid.density"),
+      NUMBER(particles.roughness, length, positive, "xi; default 0.005 diameter"),
+      TEXT(particles.initial, "CSV file of initial particles: x,y,z,radius,vx,vy,vz,wx,wy,wz in SI units"),
+
+      WORD(contact.law, "normal force of a contact: Hertz, a linear spring, or Hertz that sticks (Johnson, Kendall, Roberts); default hertz", "hertz", "hooke", "jkr"),
+      NUMBER(contact.youngs_modulus, pressure, positive, "of the particles"),
+      NUMBER(contact.poisson_ratio, number, (Range{.low = 0, .high = 0.5, .high_allowed = false}), "of the particles"),
+      NUMBER(contact.stiffness, stiffness, positive, "of the linear spring of law hooke"),
+      NUMBER(contact.surface_energy, stiffness, positive, "work of adhesion of law jkr: to part both surfaces, per area"),
+      NUMBER(contact.restitution, number, restitution, "speed after over before a dry head-on impact; default 0.7"),
+      NUMBER(contact.tangential_factor, number, positive, "on the tangential stiffness; default 2/3, for law hooke 2/7 of its spring"),
+      NUMBER(contact.tangential_damping, number, non_negative, "sliding, rolling and torsion damping over the normal one; default 1"),
+      WORD(contact.turning, "how rolling and torsion turn: lever R* and stiffness of Luding, or 2 R* and full stiffness of MercuryDPM; default luding", "luding", "mercury"),
+      WORD(contact.torsion_update, "how the torsion spring is advanced; doubling is an experiment", "objective", "doubling"),
+      NUMBER(contact.friction.sliding, number, non_negative, "Coulomb coefficient; default 0"),
+      NUMBER(contact.friction.rolling, number, non_negative, "default 0"),
+      NUMBER(contact.friction.torsion, number, non_negative, "default 0"),
+      NUMBER(contact.wall_friction.sliding, number, non_negative, "default: as between particles"),
+      NUMBER(contact.wall_friction.rolling, number, non_negative, "default: as between particles"),
+      NUMBER(contact.wall_friction.torsion, number, non_negative, "default: as between particles"),
+      NUMBER(contact.wall_youngs_modulus, pressure, positive, "default: as the particles"),
+      NUMBER(contact.wall_poisson_ratio, number, (Range{.low = 0, .high = 0.5, .high_allowed = false}), "default: as the particles"),
+
+      SWITCH(lubrication.enabled, "default true when the section is present"),
+      WORD(lubrication.below_roughness, "for gaps below 2 roughness: no force, or the force at 2 roughness", "off", "clamp"),
+      SWITCH(lubrication.walls, "between particles and walls too; default false"),
+      NUMBER(lubrication.cutoff, length, positive, "largest gap; default diameter / 2"),
+
+      SWITCH(drag.enabled, "default true when the section is present"),
+      WORD(drag.law, "drag in a pack over that of a lone sphere: van der Hoef et al. at Re = 0, none, or Beetstra et al. with the slip's Reynolds number; default hoef", "hoef", "stokes", "beetstra"),
+      WORD(drag.velocity, "what f(porosity) multiplies", "interstitial", "superficial"),
+      SWITCH(drag.viscous_torque, "default false"),
+      NUMBER(drag.fluctuation.strength, number, non_negative, "standard deviation over mean drag; default 0: off"),
+      NUMBER(drag.fluctuation.time, time, positive, "its correlation time"),
+
+      COUNT(porosity.strips, (Range{.low = 0, .high = 1000}), "strips along the upstream channel; default 3 when the section is present, else 0: porosity 1"),
+      NUMBER(porosity.update_interval, time, non_negative, "0: every step; default a thousandth of the Stokes time"),
+
+      SWITCH(inlet.enabled, "default true when the section is present"),
+      WORD(inlet.start, "channel filled behind a gate before time 0, or empty", "filled", "empty"),
+      NUMBER(inlet.rate, rate, non_negative, "largest number of insertions per time; default 0: as many as fit"),
+      COUNT(inlet.taps, (Range{.low = 0, .high = 100}), "moments without friction that consolidate a filled start; default 2"),
+
+      WORD(unclog.protocol, "what ends a clog: nothing, or a moment without friction", "none", "release"),
+      NUMBER(unclog.after, time, positive, "nothing passed for this long; default 5 Stokes times"),
+      NUMBER(unclog.duration, time, positive, "friction is off for this long; default 1.5 ms"),
+
+      NUMBER(time.end, time, positive, "simulated time"),
+      NUMBER(time.step, time, positive, "fixed step instead of step_fraction"),
+      NUMBER(time.step_fraction, number, fraction, "of the Hertz contact time; default 0.02"),
+      NUMBER(time.contact_limit_share, number, fraction, "a step from step_fraction is no longer than this share of the limit expected of the contacts; default: not looked at"),
+      NUMBER(time.mass_scale, number, positive, "numerical mass over true mass; default 1"),
+      NUMBER(time.rotational_inertia_scale, number, positive, "numerical moment of inertia over true one; default 1"),
+      WORD(time.integrator, "drag explicit, or implicit so that it never limits the step, or drag and lubrication both", "verlet", "implicit_drag", "implicit_fluid"),
+      SWITCH(time.allow_unstable, "run with a step above its limit, for studies of what that does; default false"),
+
+      NUMBER(passages.plane, length, any, "x that a particle must cross; default the middle of the neck; 0 in a box or between walls from a file: none"),
+
+      NUMBER(output.snapshot_interval, time, non_negative, "default 0: no snapshots"),
+      NUMBER(output.series_interval, time, positive, "default a tenth of the Stokes time"),
+      NUMBER(output.checkpoint_interval, time, positive, "of wall-clock time; default 60 s"),
+
+      TEXT(fidelity.preset, "named set of cheaper or better numerics; default none"),
+      NUMBER(fidelity.tolerance, number, (Range{.low = 0, .high = 1, .high_allowed = false}), "wanted accuracy; default 0: none"),
+
+      Key{"ensemble.seeds", SeedsSlot{AT(ensemble.seeds)}, "random seeds, one run each: \"1-40\" or [1, 2, 3]; default 1"},
+      Key{"ensemble.sweep", TextsSlot{AT(ensemble.sweep)}, "keys and their values, a folder for each point: [\"particles.diameter = 25 um, 33 um\"]; default none"},
+  };
+}
+// clang-format on
+
+std::string_view last_name(std::string_view path) { return path.substr(path.rfind('.') + 1); }
+
+}  // namespace
+
+std::string Range::words() const {
+  if (std::isinf(high) && std::isinf(low)) return "must be a finite number";
+  if (std::isinf(high)) return fmt::format("must be {} {}", low_allowed ? ">=" : ">", low);
+  return fmt::format("must be in {}{}, {}{}", low_allowed ? '[' : '(', low, high, high_allowed ? ']' : ')');
+}
+
+const std::vector<Key>& scene_keys() {
+  static const std::vector<Key> keys = make_keys();
+  return keys;
+}
+
+const Key* find_key(std::string_view path) {
+  for (const Key& key : scene_keys())
+    if (key.path == path) return &key;
+  return nullptr;
+}
+
+std::string_view word_of(const Scene& scene, std::string_view path) {
+  const auto& slot = std::get<WordSlot>(find_key(path)->slot);
+  return slot.words[static_cast<std::size_t>(slot.get(scene))];
+}
+
+std::string_view section_of(std::string_view path) {
+  const std::size_t dot = path.find('.');
+  return dot == std::string_view::npos ? std::string_view{} : path.substr(0, dot);
+}
+
+bool is_section(std::string_view path) {
+  return std::ranges::any_of(scene_keys(), [path](const Key& key) {
+    return key.path.size() > path.size() && key.path.starts_with(path) && key.path[path.size()] == '.';
+  });
+}
+
+std::string_view nearest_key(std::string_view path) {
+  // Twice as long as any of ours: what comes after makes no difference to which is nearest.
+  path = path.substr(0, 80);
+  // A right name in a wrong section must win over a similar path, hence the second measure.
+  const auto distance = [path](const Key& key) {
+    const std::size_t leaf = edit_distance(last_name(path), last_name(key.path));
+    return std::min(edit_distance(path, key.path), 2 + leaf + leaf);
+  };
+  const auto nearest = std::ranges::min_element(scene_keys(), {}, distance);
+  return is_near(distance(*nearest), path) ? nearest->path : std::string_view{};
+}
+
+std::string unknown_key(std::string_view path) {
+  const std::string_view nearest = nearest_key(path);
+  return nearest.empty() ? "unknown key" : fmt::format("unknown key; the nearest known key is {}", nearest);
+}
+
+}  // namespace clogflow

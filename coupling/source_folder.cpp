@@ -1,9 +1,0 @@
-// The only file that is compiled with the path of the sources, so that builds in other folders can
-// share the compiled form of all others.
-#include "coupling/source_folder.hpp"
-
-namespace clog {
-
-std::filesystem::path source_folder() { return CLOG_SOURCE_DIR; }
-
-}  // namespace clog

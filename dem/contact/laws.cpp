@@ -1,0 +1,51 @@
+#include "dem/contact/laws.hpp"
+
+#include <string_view>
+
+#include "coupling/scene/scene_keys.hpp"
+#include "dem/physics/contact_laws.hpp"
+
+namespace clogflow {
+
+namespace {
+
+ContactLaw contact_law(const Scene& scene, const Material& other, const Friction& friction) {
+  const auto& c = scene.contact;
+  const std::string_view turning =
+      c.torsion_update == TorsionUpdate::doubling ? "doubling" : word_of(scene, "contact.turning");
+  return make_contact_law(word_of(scene, "contact.law"), turning,
+                          {.own = {c.youngs_modulus, c.poisson_ratio},
+                           .other = other,
+                           .restitution = c.restitution,
+                           .tangential_factor = c.tangential_factor,
+                           .tangential_damping = c.tangential_damping,
+                           .stiffness = c.stiffness,
+                           .surface_energy = c.surface_energy},
+                          {friction.sliding, friction.rolling, friction.torsion});
+}
+
+ContactTerms contact_terms(const Friction& friction) {
+  return {friction.sliding > 0, friction.rolling > 0, friction.torsion > 0};
+}
+
+LubricationLaw lubrication_law(const Scene& scene) {
+  if (!scene.lubrication.enabled) return {};
+  return {scene.fluid.viscosity, 2 * scene.particles.roughness, scene.lubrication.cutoff,
+          scene.lubrication.below_roughness == BelowRoughness::clamp};
+}
+
+}  // namespace
+
+Laws make_laws(const Scene& scene) {
+  const Scene::Contact& c = scene.contact;
+  Laws laws;
+  laws.pair = contact_law(scene, {c.youngs_modulus, c.poisson_ratio}, c.friction);
+  laws.pair_terms = contact_terms(c.friction);
+  laws.film = lubrication_law(scene);
+  laws.wall.contact = contact_law(scene, {c.wall_youngs_modulus, c.wall_poisson_ratio}, c.wall_friction);
+  laws.wall.terms = contact_terms(c.wall_friction);
+  if (scene.lubrication.walls) laws.wall.lubrication = laws.film;
+  return laws;
+}
+
+}  // namespace clogflow

@@ -1,0 +1,28 @@
+// The laws of a scene: what acts between two particles, and between a particle and a wall.
+#pragma once
+
+#include "coupling/scene/scene.hpp"
+#include "dem/physics/contact_law.hpp"
+#include "dem/physics/lubrication.hpp"
+
+namespace clogflow {
+
+/// What acts between a particle and a wall.
+struct WallLaws {
+  ContactLaw contact;
+  ContactTerms terms;
+  LubricationLaw lubrication;
+  double dt = 0;
+};
+
+struct Laws {
+  ContactLaw pair;
+  ContactTerms pair_terms{};
+  LubricationLaw film;  ///< between particles
+  WallLaws wall;
+};
+
+/// Those that the sections [contact] and [lubrication] name; the step is not known yet.
+Laws make_laws(const Scene& scene);
+
+}  // namespace clogflow

@@ -1,0 +1,116 @@
+#include "dem/fluid/fluid.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "coupling/scene/scene_keys.hpp"
+#include "dem/physics/dimensionless.hpp"
+
+namespace clogflow {
+
+const DragLaw& drag_law(const Scene& scene) { return find_drag_law(word_of(scene, "drag.law")); }
+
+Fluid::Fluid(const Scene& scene, FlowField field, PorosityStrips strips)
+    : field_(std::move(field)),
+      strips_(std::move(strips)),
+      noise_(scene),
+      law_(drag_law(scene)),
+      viscosity_(scene.fluid.viscosity),
+      density_(scene.fluid.density),
+      kernels_(select_kernels()),
+      drag_(scene.drag.enabled),
+      superficial_(scene.drag.velocity == DragVelocity::superficial),
+      viscous_torque_(scene.drag.viscous_torque) {}
+
+void Fluid::evaluate(Particles& p) {
+  if (!drag_) return;
+  const double pulse = noise_.pulsation();
+  // Per strip: 1 / eps, pulsating, and f(eps) with the factor eps of the superficial velocity.
+  const std::size_t strips = strips_.empty() ? 1 : strips_.porosity().size();
+  std::vector<double> speed_up(strips, pulse), factor(strips, 1.0);
+  for (std::size_t k = 0; k < strips_.porosity().size(); ++k) {
+    const double porosity = strips_.porosity()[k];
+    speed_up[k] = pulse / porosity;
+    factor[k] = law_.slow_factor(porosity) * (superficial_ ? porosity : 1.0);
+  }
+  for (double& share : factor) share *= stokes_coefficient(viscosity_, 2);  // per radius
+  for (auto* values : {&ux_, &uy_, &uz_, &coefficient_}) values->resize(p.size());
+  const StripPlace strip = strips_.place();
+  FlowTask task{pointers(p),
+                nullptr,
+                {},
+                0,
+                {},
+                strip.start,
+                strip.per_length,
+                strip.last,
+                speed_up.data(),
+                factor.data(),
+                ux_.data(),
+                uy_.data(),
+                uz_.data(),
+                coefficient_.data()};
+  if (field_.describe(task)) {
+    kernels_.sample_nearest(task);
+  } else {
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const int k = strip.strip_at(p[i].x);
+      const auto u = field_.at(p[i].x, p[i].y, p[i].z);
+      ux_[i] = speed_up[k] * u[0], uy_[i] = speed_up[k] * u[1], uz_[i] = speed_up[k] * u[2];
+      coefficient_[i] = factor[k] * p[i].radius;
+    }
+  }
+  if (law_.knows_slip) add_slip(p);
+  if (noise_.fluctuates()) add_fluctuation(p);
+  if (!viscous_torque_) return;
+  for (auto* values : {&turn_, &sx_, &sy_, &sz_}) values->resize(p.size());
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const auto spin = field_.half_vorticity(p[i].x, p[i].y, p[i].z);
+    sx_[i] = pulse * spin[0], sy_[i] = pulse * spin[1], sz_[i] = pulse * spin[2];
+    turn_[i] = stokes_torque_coefficient(viscosity_, 2 * p[i].radius);
+  }
+}
+
+void Fluid::add_slip(const Particles& p) {
+  const StripPlace strip = strips_.place();
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const double porosity = strips_.empty() ? 1 : strips_.porosity()[strip.strip_at(p[i].x)];
+    const Vector<double> slip = Vector<double>{ux_[i], uy_[i], uz_[i]} - Vector<double>{p[i].vx, p[i].vy, p[i].vz};
+    const double reynolds =
+        reynolds_number(density_, porosity * std::sqrt(dot(slip, slip)), 2 * p[i].radius, viscosity_);
+    coefficient_[i] *= law_.factor({porosity, reynolds}) / law_.slow_factor(porosity);
+  }
+}
+
+void Fluid::add_fluctuation(const Particles& p) {
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const Vector<double> u{ux_[i], uy_[i], uz_[i]};
+    const Vector<double> slip = u - Vector<double>{p[i].vx, p[i].vy, p[i].vz};
+    const double scale = std::sqrt(std::min(dot(slip, slip), dot(u, u)));
+    const auto factor = noise_.fluctuation(i);
+    ux_[i] += scale * factor[0], uy_[i] += scale * factor[1], uz_[i] += scale * factor[2];
+  }
+}
+
+void Fluid::attach(AdvanceTask& task) const {
+  if (!drag_) return;
+  task.ux = ux_.data(), task.uy = uy_.data(), task.uz = uz_.data();
+  task.drag = coefficient_.data();
+  if (!viscous_torque_) return;
+  task.turn = turn_.data();
+  task.sx = sx_.data(), task.sy = sy_.data(), task.sz = sz_.data();
+}
+
+Vector<double> Fluid::drag_force(int i, const Vector<double>& v) const {
+  if (!drag_) return {0, 0, 0};
+  return clogflow::drag_force(coefficient_[i], {ux_[i], uy_[i], uz_[i]}, v);
+}
+
+Vector<double> Fluid::implicit_drag_force(int i, const Vector<double>& v, const Vector<double>& other,
+                                          double rate) const {
+  if (!drag_) return {0, 0, 0};
+  const double share = implicit_drag_factor(rate * coefficient_[i]);
+  return drag_force(i, v + (share * rate) * (other + drag_force(i, v)));
+}
+
+}  // namespace clogflow

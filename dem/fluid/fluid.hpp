@@ -1,0 +1,77 @@
+// What the fluid does to the particles: velocity and drag coefficient for each of them.
+#pragma once
+
+#include <vector>
+
+#include "coupling/scene/scene.hpp"
+#include "dem/fluid/flow_field.hpp"
+#include "dem/fluid/fluid_noise.hpp"
+#include "dem/fluid/porosity_strips.hpp"
+#include "dem/kernels/kernels.hpp"
+#include "dem/physics/drag_law.hpp"
+#include "dem/state/particles.hpp"
+
+namespace clogflow {
+
+/// The drag law that a scene names.
+const DragLaw& drag_law(const Scene& scene);
+
+/// Drag in the flow corrected for porosity, paper Eq. (4):
+///   F_i = c_i (u - v_i),  c_i = f 3 pi eta d_i,  u = V0(x_i) / eps,  f of the scene's drag law.
+/// With the superficial velocity the drag is f(eps) 3 pi eta d (V0 - eps v_i), that is c eps in the
+/// place of c. Published as the total fluid force: no separate pressure gradient force.
+class Fluid {
+public:
+  Fluid(const Scene& scene, FlowField field, PorosityStrips strips);
+
+  /// Measures the porosity anew.
+  void update_porosity(const Particles& particles) {
+    if (!strips_.empty()) strips_.update(particles);
+  }
+
+  /// Takes the random factors on the flow to the time given; costs nothing without any.
+  void fluctuate(const Particles& particles, std::uint64_t seed, double time) {
+    if (noise_.on()) noise_.advance(particles, seed, time);
+  }
+
+  /// Fills velocity and drag of every particle. Does nothing when the scene has no drag.
+  void evaluate(Particles& particles);
+
+  /// Points a task to what evaluate() filled.
+  void attach(AdvanceTask& task) const;
+
+  /// Drag force on particle i if it moves with the velocity given [N]; after evaluate().
+  Vector<double> drag_force(int i, const Vector<double>& velocity) const;
+
+  /// The same in a step that takes drag implicitly: at the velocity that the step leads to.
+  /// \param other  all other forces [N];  \param rate  dt / m [s/kg]
+  Vector<double> implicit_drag_force(int i, const Vector<double>& velocity, const Vector<double>& other,
+                                     double rate) const;
+
+  const FlowField& field() const { return field_; }
+  const PorosityStrips& strips() const { return strips_; }
+  const FluidNoise& noise() const { return noise_; }
+
+  template <class Archive>
+  void exchange(Archive& archive) {
+    archive(strips_, noise_);
+  }
+
+private:
+  void add_fluctuation(const Particles& particles);
+
+  /// Coefficients anew, by each particle's slip.
+  void add_slip(const Particles& particles);
+
+  FlowField field_;
+  PorosityStrips strips_;
+  FluidNoise noise_;
+  const DragLaw& law_;
+  double viscosity_, density_;
+  const Kernels& kernels_;
+  bool drag_, superficial_, viscous_torque_;
+  std::vector<double> ux_, uy_, uz_, coefficient_;
+  std::vector<double> turn_, sx_, sy_, sz_;
+};
+
+}  // namespace clogflow

@@ -1,0 +1,64 @@
+#include "dem/fluid/porosity_strips.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "coupling/base/require.hpp"
+#include "dem/physics/porosity.hpp"
+
+namespace clogflow {
+
+namespace {
+
+/// Below this the drag law means nothing, and only overlapping particles get there (the densest
+/// packing of equal spheres leaves 0.26).
+constexpr double least_porosity = 0.2;
+
+}  // namespace
+
+PorosityStrips::PorosityStrips(double start, double end, std::vector<double> volumes)
+    : start_(start),
+      length_((end - start) / static_cast<double>(volumes.size())),
+      volume_(std::move(volumes)),
+      porosity_(volume_.size(), 1.0) {}
+
+void PorosityStrips::update(const Particles& p) {
+  std::vector<double> solid(volume_.size(), 0.0);
+  const double end = start_ + length_ * static_cast<double>(volume_.size());
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const double r = p[i].radius;
+    if (p[i].x - r >= end || p[i].x + r <= start_) continue;
+    const int from = strip_at(p[i].x - r), to = strip_at(p[i].x + r);
+    if (from == to && p[i].x + r <= end && p[i].x - r >= start_) {
+      solid[from] += sphere_volume(r);
+      continue;
+    }
+    for (int k = from; k <= to; ++k)
+      solid[k] += sphere_volume_below(p[i].x, r, start_ + (k + 1) * length_) -
+                  sphere_volume_below(p[i].x, r, start_ + k * length_);
+  }
+  for (std::size_t k = 0; k < solid.size(); ++k) {
+    porosity_[k] = 1 - solid[k] / volume_[k];
+    require(porosity_[k] >= least_porosity,
+            "porosity {:.3f} in strip {} of {} (below {}, particles must be overlapping): raise "
+            "contact.youngs_modulus or use fewer strips",
+            porosity_[k], k + 1, solid.size(), least_porosity);
+  }
+}
+
+bool PorosityStrips::sound() const {
+  return porosity_.size() == volume_.size() && std::all_of(porosity_.begin(), porosity_.end(), [](double e) {
+           return std::isfinite(e) && e >= least_porosity;
+         });
+}
+
+double PorosityStrips::packing_fraction() const {
+  double solid = 0, volume = 0;
+  for (std::size_t k = 0; k < volume_.size(); ++k) {
+    solid += (1 - porosity_[k]) * volume_[k];
+    volume += volume_[k];
+  }
+  return volume > 0 ? solid / volume : 0;
+}
+
+}  // namespace clogflow

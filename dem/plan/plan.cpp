@@ -1,0 +1,157 @@
+#include "dem/plan/plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "coupling/flow/flow_reach.hpp"
+#include "coupling/flow/flow_rescale.hpp"
+#include "coupling/geometry/channel_shape.hpp"
+#include "dem/physics/dimensionless.hpp"
+#include "dem/physics/time_step.hpp"
+#include "dem/plan/term_costs.hpp"
+#include "dem/run/initial_placement.hpp"
+#include "dem/run/model.hpp"
+#include "dem/stability/pack_estimates.hpp"
+
+namespace clogflow {
+
+namespace {
+
+/// Ratio of diameter to overlap below which a scene is called too soft: preliminary runs with other
+/// programs saw biased bursts at E = 3e5 Pa and 33 um (about 18) and none at 3e6 Pa (about 85).
+constexpr double softest = 30;
+
+/// Duration of a filled start in units of the time the flow needs for the channel, as seen.
+constexpr double filling_share = 0.7;
+
+/// Bytes per particle of state, pair list and springs.
+constexpr double bytes_per_particle = 900;
+
+struct Judge {
+  Plan& plan;
+  void operator()(PlannedTerm term) const { plan.terms.push_back(std::move(term)); }
+};
+
+void judge_fluid(const Scene& s, const Judge& term) {
+  const auto& g = s.geometry;
+  const double v = s.flow.mean_velocity;
+  const SphereInFluid sphere{s.particles.diameter, s.particles.density, s.fluid.density, s.fluid.viscosity};
+  const bool drag = s.drag.enabled;
+  if (g.present && v > 0) {
+    const double duct = reynolds_number(s.fluid.density, v, g.neck_height, s.fluid.viscosity);
+    const double neck_speed = neck_mean_velocity(s.geometry, s.flow.mean_velocity);
+    const double neck = reynolds_number(s.fluid.density, neck_speed, g.neck_height, s.fluid.viscosity);
+    term({"fluid inertia in the channel", "Re = rho v D / eta", duct, duct > 0.1, true,
+          "simpleFoam solves Navier-Stokes"});
+    term({"fluid inertia in the neck", "Re at the neck's mean velocity", neck, neck > 0.1, true,
+          "below 0.1 one Stokes field serves all flow rates"});
+    const double slip = reynolds_number(s.fluid.density, neck_speed, sphere.diameter, s.fluid.viscosity);
+    term({"inertial drag, lift, added mass", "Re_p = rho v_neck d / eta", slip, slip > 1, false,
+          "the drag law holds for Re_p << 1"});
+    term({"gravity", "settling velocity / v", settling_ratio(sphere, v), settling_ratio(sphere, v) > 0.01, false,
+          "density matched when 0"});
+    const double peclet = peclet_number(sphere, v);
+    term({"Brownian motion", "Pe = v d / D_0", peclet, peclet < 1e3, false, "diffusion << flow"});
+    term({"drag", "f(eps) in the pack", drag_law(s).slow_factor(pack_porosity), true, drag, "drives everything"});
+    const double stokes =
+        response_time(sphere, drag_law(s).slow_factor(pack_porosity)) * s.time.mass_scale * v / sphere.diameter;
+    term({"particle inertia", "St = t_response v / d, mass scale included", stokes, stokes > 0.1, true,
+          stokes > 0.1 ? "mass scaled too far" : "irrelevant: mass may be scaled up"});
+    const double impact = collision_stokes_number(sphere, collision_speed_share * v);
+    term({"dry restitution", "St of a collision", impact, impact > 10, true, "irrelevant below 10"});
+    term({"lubrication", "roughness gap 2 xi / d", 2 * s.particles.roughness / sphere.diameter,
+          2 * s.particles.roughness / sphere.diameter < 0.1, s.lubrication.enabled, "films thinner than d/10 resist"});
+  }
+}
+
+void judge_contacts(const Scene& s, const Model& model, const Judge& term) {
+  const double v = s.flow.mean_velocity, d = s.particles.diameter;
+  if (v > 0) {
+    const double load = arch_load * drag_law(s).slow_factor(pack_porosity) * stokes_coefficient(s.fluid.viscosity, d) *
+                        v / pack_porosity;
+    const double kappa = d / model.laws.pair.overlap_at(load, d / 4);
+    term({"particle stiffness", "kappa = d / overlap in an arch", kappa, kappa < softest, true,
+          "softer particles let arches buckle"});
+  }
+  if (s.geometry.present)
+    term({"third dimension", "neck width / d", s.geometry.neck_width / d, true, true,
+          s.geometry.neck_width / d < 3 ? "close to a single layer" : "arches are domes"});
+  const auto& f = s.contact.friction;
+  term({"sliding friction", "mu", f.sliding, true, f.sliding > 0, "arches need it"});
+  term({"rolling friction", "mu_r", f.rolling, false, f.rolling > 0, "a term at 0 costs nothing"});
+  term({"torsion friction", "mu_o", f.torsion, false, f.torsion > 0, "a term at 0 costs nothing"});
+}
+
+void find_limits(const Scene& s, const Model& model, Plan& plan) {
+  plan.dt = model.dt;
+  plan.limits = expected_limits(model, read_initial_particles(s));
+  if (s.geometry.present && s.flow.mean_velocity > 0)
+    plan.way_limit =
+        0.01 * s.particles.diameter / (neck_mean_velocity(s.geometry, s.flow.mean_velocity) / pack_porosity);
+}
+
+void estimate_cost(const Scene& s, const Model& model, Plan& plan) {
+  plan.steps = static_cast<double>(model.steps);
+  plan.particles = static_cast<double>(read_initial_particles(s).size());
+  if (s.inlet.enabled) {
+    const double start = channel_start(s.geometry);
+    plan.particles +=
+        (1 - pack_porosity) * channel_volume(s.geometry, start, 0) / sphere_volume(s.particles.diameter / 2);
+    if (s.inlet.start == InletStart::filled)
+      plan.filling_steps = filling_share * s.geometry.channel_length / s.flow_speed() / model.dt;
+  }
+  plan.memory = bytes_per_particle * plan.particles;
+  const double way = s.flow.mean_velocity * model.dt / s.particles.diameter;
+  const double each = instructions_per_particle_step(s, way);
+  plan.instructions = (plan.steps + plan.filling_steps) * plan.particles * each;
+  for (const TermCost& cost : term_costs(s))
+    for (PlannedTerm& term : plan.terms)
+      if (term.term == cost.term) term.share = cost.instructions / each;
+}
+
+void judge_flow(const Scene& s, Plan& plan) {
+  if (s.flow.source != FlowSource::openfoam) return;
+  plan.grid_reach = expected_reach(s, reach_tolerance);
+  plan.scaling_error = error_per_reynolds_number * neck_reynolds_number(s);
+}
+
+}  // namespace
+
+Plan make_plan(const Scene& scene) {
+  const Model model = make_model(scene, nullptr, read_initial_particles(scene));
+  check_placement(read_initial_file(scene), model);
+  Plan plan;
+  plan.walls_note = model.walls_note;
+  judge_fluid(scene, Judge{plan});
+  judge_contacts(scene, model, Judge{plan});
+  find_limits(scene, model, plan);
+  estimate_cost(scene, model, plan);
+  judge_flow(scene, plan);
+  return plan;
+}
+
+std::vector<std::string> warnings(const Plan& plan) {
+  std::vector<std::string> lines;
+  if (!plan.walls_note.empty()) lines.push_back(plan.walls_note);
+  for (const PlannedTerm& t : plan.terms) {
+    if (t.needed && !t.modelled)
+      lines.push_back(fmt::format("{} is needed ({} = {:.3g}) but not modelled", t.term, t.number, t.value));
+    if (t.term == "particle inertia" && t.needed)
+      lines.push_back(fmt::format("{} = {:.3g}: lower time.mass_scale", t.number, t.value));
+    if (t.term == "particle stiffness" && t.needed)
+      lines.push_back(fmt::format("{} = {:.3g} (too soft below 30): raise contact.youngs_modulus", t.number, t.value));
+  }
+  if (plan.dt > plan.limits.smallest())
+    lines.push_back(
+        fmt::format("the step of {:.3g} s is unstable: the limit is {:.3g} s", plan.dt, plan.limits.smallest()));
+  for (const std::string& line : {way_warning(plan.limits, plan.dt), impact_warning(plan.limits, plan.dt)})
+    if (!line.empty()) lines.push_back(line);
+  if (plan.way_limit > 0 && plan.dt > plan.way_limit)
+    lines.push_back(
+        fmt::format("the step of {:.3g} s is above {:.3g} s, in which the flow moves 0.01 d", plan.dt, plan.way_limit));
+  return lines;
+}
+
+}  // namespace clogflow

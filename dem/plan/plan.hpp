@@ -1,0 +1,52 @@
+// What a scene needs, what it models, what it will cost.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "coupling/scene/scene.hpp"
+#include "dem/stability/step_limit.hpp"
+
+namespace clogflow {
+
+/// One physical effect and the number that decides whether it matters.
+struct PlannedTerm {
+  std::string term;
+  std::string number;  ///< what the value is
+  double value;
+  bool needed;
+  bool modelled;
+  std::string reason;
+  double share = 0;  ///< of the instructions of a step [-]
+};
+
+struct Plan {
+  std::vector<PlannedTerm> terms;
+  double dt = 0;  ///< [s]
+  StepLimits limits;
+  double way_limit = 0;  ///< step in which the flow at the neck moves 0.01 d [s]
+  double steps = 0, filling_steps = 0;
+  double particles = 0;
+  double memory = 0;         ///< of one run, without its flow [bytes]
+  double instructions = 0;   ///< of one seed
+  double grid_reach = 0;     ///< how far the neck is felt upstream of the narrowing [m]
+  std::string walls_note;    ///< on walls from a file, or empty
+  double scaling_error = 0;  ///< of a creeping flow scaled to this rate, over the neck's mean velocity [-]
+
+  /// Of one seed on one core that does so many instructions a second. [s]
+  double seconds(double speed = nominal_speed) const { return instructions / speed; }
+
+  /// Where none was tried out. [1/s]
+  static constexpr double nominal_speed = 6e9;
+};
+
+/// Difference from the developed duct profile, over the mean velocity, that `grid_reach` allows [-].
+inline constexpr double reach_tolerance = 0.01;
+
+/// \throws Error if the scene has no time step
+Plan make_plan(const Scene& scene);
+
+/// One line for each needed term that the scene leaves out, and each assumption that fails.
+std::vector<std::string> warnings(const Plan& plan);
+
+}  // namespace clogflow

@@ -1,0 +1,29 @@
+#include "dem/plan/term_costs.hpp"
+
+namespace clogflow {
+
+namespace {
+
+/// Of renewing and sorting the lists, per particle and unit of v dt / d: from processor times at steps that differ
+/// sevenfold (docs/trade.md); nothing else in a run grows with the step.
+constexpr double instructions_per_way = 4e5;
+
+}  // namespace
+
+std::vector<TermCost> term_costs(const Scene& scene) {
+  std::vector<TermCost> costs{{"everything else", 243}};
+  if (scene.contact.friction.rolling > 0) costs.push_back({"rolling friction", 57});
+  if (scene.contact.friction.torsion > 0) costs.push_back({"torsion friction", 19});
+  if (scene.lubrication.enabled) costs.push_back({"lubrication", 122});
+  if (scene.drag.enabled) costs.push_back({"drag", 43});
+  if (scene.drag.fluctuation.strength > 0) costs.push_back({"random drag", 72});
+  return costs;
+}
+
+double instructions_per_particle_step(const Scene& scene, double way) {
+  double sum = instructions_per_way * way;
+  for (const TermCost& cost : term_costs(scene)) sum += cost.instructions;
+  return sum;
+}
+
+}  // namespace clogflow

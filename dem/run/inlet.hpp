@@ -1,0 +1,61 @@
+// Seeded insertion at the left end of the channel, and the random packing a filled start begins with.
+#pragma once
+
+#include <cstdint>
+
+#include "dem/fluid/fluid.hpp"
+#include "dem/run/model.hpp"
+#include "dem/state/particles.hpp"
+#include "dem/state/random.hpp"
+
+namespace clogflow {
+
+/// Inserts spheres at random places in a slab at the left end, as many as fit, never overlapping
+/// another sphere or a wall. Attempts are bounded per call and counted.
+class Inlet {
+public:
+  explicit Inlet(const Model& model);
+
+  bool enabled() const { return enabled_; }
+
+  /// Time between two calls of insert(): the flow moves by a small part of a diameter [s].
+  double interval() const { return interval_; }
+
+  /// The time that inlet.rate counts from begins again at 0.
+  void restart_clock() { fed_ = 0; }
+
+  /// Numbers before this one are taken, by particles that are there from the start.
+  void number_from(std::int64_t first) { first_id_ = first; }
+
+  /// Tries to insert at time t. \return number inserted
+  int insert(Particles& particles, const Fluid& fluid, Random& random, double time);
+
+  /// Fills the straight channel at random, loosely: the flow then packs it against the gate.
+  void scatter(Particles& particles, Random& random);
+
+  std::int64_t inserted() const { return next_id_; }
+  std::int64_t refused() const { return refused_; }  ///< attempts that found no room
+
+  /// Whether it tried and nothing came in since its clock began.
+  bool shut() const { return fed_ == 0 && refused_ > 0; }
+
+  /// Whether counts read from a file are counts.
+  bool sound() const {
+    constexpr std::int64_t most = std::int64_t{1} << 60;
+    return next_id_ >= 0 && next_id_ < most && refused_ >= 0 && refused_ < most && fed_ >= 0 && fed_ < most;
+  }
+
+  template <class Archive>
+  void exchange(Archive& archive) {
+    archive(next_id_, refused_, fed_);
+  }
+
+private:
+  const Model* model_;
+  bool enabled_;
+  double interval_ = 0, rate_;
+  Vec3 low_, high_;  // corners of the slab for the whole sphere [m]
+  std::int64_t first_id_ = 0, next_id_ = 0, refused_ = 0, fed_ = 0;
+};
+
+}  // namespace clogflow

@@ -1,0 +1,291 @@
+#include "dem/run/model.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "coupling/base/require.hpp"
+#include "coupling/flow/flow_flux.hpp"
+#include "coupling/flow/flow_rescale.hpp"
+#include "coupling/geometry/channel_geometry.hpp"
+#include "coupling/geometry/channel_shape.hpp"
+#include "coupling/geometry/stl.hpp"
+#include "coupling/geometry/stl_channel.hpp"
+#include "coupling/geometry/stl_surface.hpp"
+#include "dem/physics/porosity.hpp"
+#include "dem/physics/time_step.hpp"
+#include "dem/state/initial_particles.hpp"
+
+namespace clogflow {
+
+namespace {
+
+/// Distance that two particles may approach each other before the pair list is made anew, as a share
+/// of the diameter: the usual choice, not tuned. It changes the cost only.
+constexpr double skin_share = 0.1;
+
+/// A rectangle as two triangles; corners in order around it, counter-clockwise from the fluid.
+void add_rectangle(Walls& walls, const std::array<Vec3, 4>& c) {
+  walls.push_back({{c[0], c[1], c[2]}});
+  walls.push_back({{c[0], c[2], c[3]}});
+}
+
+/// A wall across the channel at x whose normal points along `facing` (+1 or -1).
+Walls cross_wall(double x, double width, double height, int facing) {
+  const double y = width / 2;
+  std::array<Vec3, 4> corner{Vec3{x, -y, 0}, Vec3{x, y, 0}, Vec3{x, y, height}, Vec3{x, -y, height}};
+  if (facing < 0) std::swap(corner[1], corner[3]);
+  Walls walls;
+  add_rectangle(walls, corner);
+  return walls;
+}
+
+Walls box_walls(const Vec3& low, const Vec3& high) {
+  Walls walls;
+  for (int a = 0; a < 3; ++a)
+    for (const bool upper : {false, true}) {
+      const int b = (a + 1) % 3, c = (a + 2) % 3;
+      std::array<Vec3, 4> corner;
+      for (Vec3& v : corner) v[a] = upper ? high[a] : low[a];
+      const double lb = low[b], hb = high[b], lc = low[c], hc = high[c];
+      corner[0][b] = lb, corner[1][b] = hb, corner[2][b] = hb, corner[3][b] = lb;
+      corner[0][c] = lc, corner[1][c] = lc, corner[2][c] = hc, corner[3][c] = hc;
+      if (upper) std::swap(corner[1], corner[3]);
+      add_rectangle(walls, corner);
+    }
+  return walls;
+}
+
+void enclose(Domain& domain, const Walls& walls) {
+  domain.low = Vec3::Constant(1e300), domain.high = Vec3::Constant(-1e300);
+  for (const Triangle& t : walls)
+    for (const Vec3& corner : t.corner)
+      domain.low = domain.low.cwiseMin(corner), domain.high = domain.high.cwiseMax(corner);
+}
+
+/// What a file's walls are worth a word for, or empty.
+std::string note_on(const StlSurface& surface, const std::string& file) {
+  std::string note = surface.note.empty() ? "" : file + ": " + surface.note;
+  if (surface.rims.empty()) return note;
+  const WallRim& rim = surface.rims[0];
+  return note + (note.empty() ? "" : "; ") +
+         fmt::format(
+             "{}: the walls are open along {} rim{}, the shortest {:.3g} m around at ({:.4g}, {:.4g}, "
+             "{:.4g}) m: a particle that leaves the walls' extent there ends the run",
+             file, surface.rims.size(), surface.rims.size() > 1 ? "s" : "", rim.length, rim.place.x(), rim.place.y(),
+             rim.place.z());
+}
+
+/// Walls of more particle diameters than this are most likely counted in another unit.
+constexpr double unlikely_extent = 1e5;
+
+void check_extent(const Walls& walls, const Scene& scene, std::string& note) {
+  const double extent = largest_extent(walls), diameter = scene.particles.diameter;
+  const std::string words = fmt::format("the walls of geometry.stl = {} are {}: is geometry.stl_unit right?",
+                                        scene.geometry.stl, extent_words(walls, scene.geometry));
+  require(diameter < extent, "particles.diameter = {:.3g} m (larger than all walls; {})", diameter, words);
+  if (extent > unlikely_extent * diameter)
+    note += fmt::format("{}{:.2g} particle diameters; {}", note.empty() ? "" : "; ", extent / diameter, words);
+}
+
+/// The walls of a laboratory from the scene's file.
+Walls file_walls(const Scene& scene, std::string& note) {
+  Walls walls = read_stl(scene.geometry.stl);
+  for (Triangle& t : walls)
+    for (Vec3& corner : t.corner) corner *= stl_unit(scene.geometry);
+  StlSurface surface = stl_surface(std::move(walls), scene.geometry);
+  note = note_on(surface, scene.geometry.stl);
+  surface.mesh = {};
+  walls = surface.joined.walls();
+  check_extent(walls, scene, note);
+  return walls;
+}
+
+/// In a laboratory, where a plane at 0 is none.
+void count_at(Model& model, double plane) {
+  if (plane == 0) return;
+  require(plane > model.domain.low.x() && plane < model.domain.high.x(),
+          "passages.plane = {:.6g} m (must be within the walls, from x = {:.6g} to {:.6g} m)", plane,
+          model.domain.low.x(), model.domain.high.x());
+  model.domain.passage = plane;
+}
+
+bool is_channel(const Scene& s) { return s.geometry.present && (s.geometry.stl.empty() || is_stl_channel(s.geometry)); }
+
+/// Walls and limits: the box of a laboratory, the file's walls, or the channel (of keys or of a file) with a
+/// closed left end, so that no particle leaves against the flow.
+void build_walls(Model& model, const FlowGrid* flow) {
+  const Scene& s = model.scene;
+  if (s.box.present) {
+    model.walls = box_walls(Vec3(s.box.min.data()), Vec3(s.box.max.data()));
+    enclose(model.domain, model.walls);
+    count_at(model, s.passages.plane);
+  }
+  if (!s.geometry.present) return;
+  if (is_channel(s)) {
+    Walls channel;
+    // A flow serves channels of other lengths; walls from a file lie in it, whatever became of the file.
+    if (!is_stl_channel(s.geometry)) {
+      channel = channel_walls(s.geometry);
+    } else if (flow) {
+      channel = flow->walls;
+    } else {
+      const auto measured = read_stl_channel(s.geometry);
+      channel = measured->walls;
+      model.walls_note = measured->note;
+    }
+    model.walls.insert(model.walls.end(), channel.begin(), channel.end());
+    const Walls end = cross_wall(channel_start(s.geometry), s.geometry.channel_width, s.geometry.neck_height, 1);
+    model.walls.insert(model.walls.end(), end.begin(), end.end());
+    model.gate = cross_wall(neck_start(s.geometry), s.geometry.neck_width, s.geometry.neck_height, -1);
+    enclose(model.domain, model.walls);
+    model.domain.outlet = channel_end(s.geometry);
+    model.domain.passage = s.passages.plane;
+  } else {
+    const Walls stl = file_walls(s, model.walls_note);
+    model.walls.insert(model.walls.end(), stl.begin(), stl.end());
+    enclose(model.domain, model.walls);
+    if (flow) model.domain.outlet = model.domain.high.x();
+    count_at(model, s.passages.plane);
+  }
+}
+
+/// v in v_c = 0.1 v, or the fastest initial particle as v_c where nothing flows.
+double collision_speed(const Scene& scene, const std::vector<Particle>& initial) {
+  if (scene.flow_speed() > 0) return collision_speed_share * scene.flow_speed();
+  double fastest = 0;
+  for (const Particle& p : initial) fastest = std::max(fastest, Vec3(p.vx, p.vy, p.vz).norm());
+  return fastest;
+}
+
+/// What a count of 64 bits holds; no machine gets there, a wrong unit does.
+constexpr double most_steps = 1e18;
+
+void choose_step(Model& model, const std::vector<Particle>& initial) {
+  const Scene& s = model.scene;
+  double smallest = s.particles.diameter;
+  for (const Particle& p : initial) smallest = std::min(smallest, 2 * p.radius);
+  const double speed = collision_speed(s, initial);
+  const Impact impact{s.particles.density * s.time.mass_scale, smallest, speed};
+  if (speed > 0)
+    model.contact_time = std::min(model.laws.pair.contact_time(impact), model.laws.wall.contact.contact_time(impact));
+  model.dt = s.time.step;
+  if (model.dt == 0) {
+    require(speed > 0,
+            "time.step is missing (nothing moves in this scene, so no contact time can be "
+            "derived): give time.step, e.g. \"1e-7 s\"");
+    // Whatever the end: a run that is lengthened goes on with the step it began with.
+    model.dt = s.time.step_fraction * model.contact_time;
+    if (s.time.contact_limit_share > 0)
+      model.dt = std::min(model.dt, s.time.contact_limit_share * expected_limits(model, initial).contacts);
+  }
+  require(
+      s.time.end / model.dt < most_steps,
+      "time.end = {} s (would take {:.2g} steps of {:.3g} s, more than {:.0g}): lower it, or let the step be longer",
+      s.time.end, s.time.end / model.dt, model.dt, most_steps);
+  model.steps = static_cast<std::int64_t>(std::llround(std::ceil(s.time.end / model.dt - 1e-9)));
+}
+
+}  // namespace
+
+namespace {
+
+/// A sphere that turns further in a step knows no direction of sliding; its spin is a mistake [rad].
+constexpr double furthest_turn = 1;
+
+void check_spins(const Model& model, const std::vector<Particle>& initial) {
+  for (std::size_t k = 0; k < initial.size(); ++k) {
+    const Particle& p = initial[k];
+    const double turn = model.dt * std::max({std::abs(p.wx), std::abs(p.wy), std::abs(p.wz)});
+    require(turn < furthest_turn,
+            "particle {} of {} turns by {:.3g} rad in a step of {:.3g} s (allowed {} rad): lower its spin or the step",
+            k + 1, model.scene.particles.initial.empty() ? "those given" : model.scene.particles.initial, turn,
+            model.dt, furthest_turn);
+  }
+}
+
+/// A wanted fidelity must have become numbers before: silence would be taken for a result.
+void refuse_unresolved(const Scene& s) {
+  require(s.fidelity.preset.empty() && s.fidelity.tolerance == 0,
+          "fidelity.{} has not been turned into keys of the scene: read the scene through the program clog",
+          s.fidelity.preset.empty() ? "tolerance" : "preset");
+}
+
+/// More than any one core finishes; a diameter with a wrong unit gets here.
+constexpr double most_particles = 1e8;
+
+void check_count(const Scene& s) {
+  if (!s.inlet.enabled || !s.geometry.present) return;
+  const double count =
+      channel_volume(s.geometry, channel_start(s.geometry), 0) / sphere_volume(s.particles.diameter / 2);
+  require(count < most_particles,
+          "particles.diameter = {} m (the channel would hold {:.2g} particles, more than {:.0g}): raise it",
+          s.particles.diameter, count, most_particles);
+}
+
+}  // namespace
+
+const char* Model::step_key() const {
+  const auto& t = scene.time;
+  if (t.step > 0) return "time.step";
+  // The fraction alone gave a longer step; steps are rounded to divide the time.
+  const bool shared = t.contact_limit_share > 0 && dt < 0.99 * t.step_fraction * contact_time;
+  return shared ? "time.contact_limit_share" : "time.step_fraction";
+}
+
+Particle Model::particle(double radius) const { return particle_at_rest(scene, radius); }
+
+StepLimits expected_limits(const Model& model, const std::vector<Particle>& initial) {
+  return expected_limits(
+      {.scene = model.scene, .laws = model.laws, .contact_time = model.contact_time, .has_walls = !model.walls.empty()},
+      initial);
+}
+
+std::string check_step(const StepLimits& limits, const Model& model) {
+  return check_step(limits,
+                    {.dt = model.dt, .key = model.step_key(), .allow_unstable = model.scene.time.allow_unstable});
+}
+
+Model make_model(const Scene& scene, const FlowGrid* flow, const std::vector<Particle>& initial) {
+  refuse_unresolved(scene);
+  check_count(scene);
+  if (flow) {
+    require(scene.flow.source == FlowSource::openfoam,
+            "flow.source is not \"openfoam\", so a flow file is of no use: leave it out");
+    check_flow_belongs(scene, *flow);
+    if (is_channel(scene)) check_flow_fits(*flow, scene);
+  }
+  Model model;
+  model.scene = scene;
+  model.laws = make_laws(scene);
+  double largest = scene.particles.diameter / 2;
+  for (const Particle& p : initial) largest = std::max(largest, p.radius);
+  model.reach = {
+      skin_share * scene.particles.diameter,
+      std::max({model.laws.film.farthest, model.laws.pair.reach(largest / 2), model.laws.wall.contact.reach(largest)})};
+  build_walls(model, flow);
+  model.weld = weld_length(model.walls, scene.geometry);
+  choose_step(model, initial);
+  check_spins(model, initial);
+  model.laws.wall.dt = model.dt;
+  return model;
+}
+
+Fluid make_fluid(const Scene& scene, const FlowGrid* flow) {
+  FlowField field;
+  if (scene.flow.source == FlowSource::uniform) field = FlowField(scene.flow.velocity);
+  if (scene.flow.source == FlowSource::openfoam) {
+    require(flow != nullptr, "flow.source = \"openfoam\" needs the flow: give --flow flow.h5");
+    field = FlowField(*flow, scene.flow.lookup);
+  }
+  PorosityStrips strips;
+  if (scene.porosity.strips > 0 && scene.geometry.present) {
+    const double start = channel_start(scene.geometry), step = -start / scene.porosity.strips;
+    std::vector<double> volumes;
+    for (int k = 0; k < scene.porosity.strips; ++k)
+      volumes.push_back(channel_volume(scene.geometry, start + k * step, start + (k + 1) * step));
+    strips = PorosityStrips(start, 0, volumes);
+  }
+  return {scene, std::move(field), std::move(strips)};
+}
+
+}  // namespace clogflow

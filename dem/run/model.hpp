@@ -1,0 +1,50 @@
+// The scene turned into what the solver needs: laws, steps, walls, limits. Constant during a run.
+#pragma once
+
+#include "coupling/files/flow_grid.hpp"
+#include "coupling/scene/scene.hpp"
+#include "dem/contact/laws.hpp"
+#include "dem/contact/neighbours.hpp"
+#include "dem/fluid/fluid.hpp"
+#include "dem/stability/step_limit.hpp"
+
+namespace clogflow {
+
+/// Where particles may be, and where they leave.
+struct Domain {
+  Vec3 low = Vec3::Constant(-1e300), high = Vec3::Constant(1e300);  ///< [m]
+  double outlet = 1e300;                                            ///< particles beyond this x are taken out [m]
+  double passage = 1e300;                                           ///< x of the plane whose crossings count [m]
+};
+
+struct Model {
+  Scene scene;
+  Laws laws;
+  Reach reach;
+  Walls walls, gate;       ///< the gate closes the neck while the channel is filled
+  double weld = 0;         ///< corners of the walls that are nearer than this are one [m]
+  std::string walls_note;  ///< one line on walls from a file that are open, or empty
+  Domain domain;
+  double contact_time = 0;  ///< tau_Hertz [s]
+  double dt = 0;            ///< [s]
+  std::int64_t steps = 0;
+
+  /// The key of the scene that decides the step, for messages that tell what to lower.
+  const char* step_key() const;
+
+  /// A particle at rest, masses scaled as the scene says.
+  Particle particle(double radius) const;
+};
+
+/// \param flow  nullptr unless flow.source is "openfoam"
+/// \throws Error if the flow file is missing or belongs to another scene, or no time step follows
+Model make_model(const Scene& scene, const FlowGrid* flow, const std::vector<Particle>& initial);
+
+/// The limits of the model's step, and what is wrong with it: see dem/stability/step_limit.hpp.
+StepLimits expected_limits(const Model& model, const std::vector<Particle>& initial);
+std::string check_step(const StepLimits& limits, const Model& model);
+
+/// The fluid as the scene wants it, on the grid if there is one.
+Fluid make_fluid(const Scene& scene, const FlowGrid* flow);
+
+}  // namespace clogflow

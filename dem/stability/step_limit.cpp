@@ -1,0 +1,186 @@
+#include "dem/stability/step_limit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "coupling/base/require.hpp"
+#include "coupling/geometry/channel_shape.hpp"
+#include "dem/fluid/fluid.hpp"
+#include "dem/physics/dimensionless.hpp"
+#include "dem/physics/lubrication.hpp"
+#include "dem/physics/time_step.hpp"
+#include "dem/stability/network_limit.hpp"
+#include "dem/stability/pack_estimates.hpp"
+#include "dem/state/initial_particles.hpp"
+
+namespace clogflow {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+double smallest_radius(const Scene& scene, const std::vector<Particle>& initial) {
+  double radius = initial.empty() || scene.inlet.enabled ? scene.particles.diameter / 2 : infinite;
+  for (const Particle& p : initial) radius = std::min(radius, p.radius);
+  return radius;
+}
+
+double voidage(const Scene& s) { return s.porosity.strips > 0 ? drag_law(s).slow_factor(pack_porosity) : 1.0; }
+
+double expected_overlap(const StepScene& asked, const Particle& sphere, const std::vector<Particle>& initial) {
+  const Scene& s = asked.scene;
+  const double d = 2 * sphere.radius, v = s.flow_speed();
+  double impact = v > 0 ? collision_speed_share * v : 0;
+  for (const Particle& p : initial) impact = std::max(impact, Vec3(p.vx, p.vy, p.vz).norm());
+  const auto& f = s.body_force;
+  double load = arch_load * Vec3(f.data()).norm();
+  if (s.drag.enabled)
+    load += arch_load * voidage(s) * stokes_coefficient(s.fluid.viscosity, d) * v /
+            (s.porosity.strips > 0 ? pack_porosity : 1);
+  return std::max(asked.laws.pair.impact_overlap(sphere.mass / 2, impact, d / 4),
+                  asked.laws.pair.overlap_at(load, d / 4));
+}
+
+/// Whether the dry restitution does not matter, as clog plan has it: St of a collision below 10.
+bool films_brake(const Scene& s, double diameter) {
+  const SphereInFluid sphere{diameter, s.particles.density, s.fluid.density, s.fluid.viscosity};
+  return s.lubrication.enabled && s.flow_speed() > 0 &&
+         collision_stokes_number(sphere, collision_speed_share * s.flow_speed()) < 10;
+}
+
+/// Two equal spheres that meet along their normal.
+double impact_limit(const Laws& laws, const Particle& sphere, double overlap) {
+  const double mass = sphere.mass / 2;
+  const ContactModes modes = laws.pair.modes(
+      {false, false, false}, PairPlace<double>{{1, 0, 0}, sphere.radius, sphere.radius}.contact(1, overlap, mass));
+  return stable_step(modes.mode[0].stiffness / mass, modes.mode[0].dashpot / mass);
+}
+
+/// The fastest that the flow or the start makes of any particle [m/s].
+double fastest_way(const Scene& s, const std::vector<Particle>& initial) {
+  double speed = 0;
+  for (const Particle& p : initial) speed = std::max(speed, Vec3(p.vx, p.vy, p.vz).norm());
+  if (!s.drag.enabled) return speed;
+  const double f = s.porosity.strips > 0 ? 1 / pack_porosity : 1;
+  const bool channel = s.geometry.present && s.flow.mean_velocity > 0;
+  return std::max(speed, f * (channel ? neck_mean_velocity(s.geometry, s.flow.mean_velocity) : s.flow_speed()));
+}
+
+/// A sphere between two walls' worth of contacts: one wall and five neighbours along the axes, the densest
+/// load that a pack offers; all at the same overlap.
+double pack_limit(const StepScene& asked, const Particle& sphere, double overlap) {
+  Particles p;
+  for (int k = 0; k < 6; ++k) p.add(sphere);
+  NetworkLimit network(p);
+  const double r = sphere.radius;
+  const Vector<double> axes[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}};
+  for (int k = 0; k < 5; ++k)
+    network.add_contact(0, k + 1,
+                        asked.laws.pair.modes(asked.laws.pair_terms,
+                                              PairPlace<double>{axes[k], r, r}.contact(1, overlap, sphere.mass / 2)));
+  if (asked.has_walls)
+    network.add_contact(
+        0, -1, asked.laws.wall.contact.modes(asked.laws.wall.terms, wall_contact({0, 0, -1}, overlap, r, sphere.mass)));
+  return network.bound().step;
+}
+
+}  // namespace
+
+double StepLimits::smallest() const { return std::min({drag, lubrication, contacts}); }
+
+StepLimits expected_limits(const StepScene& asked, const std::vector<Particle>& initial) {
+  const Scene& s = asked.scene;
+  const Particle sphere = particle_at_rest(s, smallest_radius(s, initial));
+  const double d = 2 * sphere.radius;
+  const double shear = s.contact.youngs_modulus / (2 * (1 + s.contact.poisson_ratio));
+  StepLimits limits;
+  limits.contact_time = asked.contact_time;
+  limits.rayleigh_time =
+      rayleigh_time(sphere.radius, s.particles.density * s.time.mass_scale, shear, s.contact.poisson_ratio);
+  limits.drag = limits.lubrication = limits.contacts = infinite;
+  limits.passing = d / fastest_way(s, initial);
+  if (s.drag.enabled && s.time.integrator == Integrator::verlet)
+    limits.drag = stable_step(0, voidage(s) * stokes_coefficient(s.fluid.viscosity, d) / sphere.mass);
+  if (asked.laws.film.viscosity > 0 && s.time.integrator != Integrator::implicit_fluid) {
+    const auto& film = asked.laws.film;
+    limits.lubrication = stable_step(0, 2 * lubrication_coefficient(film.viscosity, d / 4, film.nearest) / sphere.mass);
+    if (asked.laws.wall.lubrication.viscosity > 0)
+      limits.lubrication =
+          std::min(limits.lubrication,
+                   stable_step(0, lubrication_coefficient(film.viscosity, d / 2, film.nearest) / sphere.mass));
+  }
+  const double overlap = expected_overlap(asked, sphere, initial);
+  limits.expected_overlap = overlap / d;
+  if (overlap > 0) {
+    limits.contacts = pack_limit(asked, sphere, overlap);
+    limits.impact = impact_limit(asked.laws, sphere, overlap);
+  }
+  limits.films_brake = films_brake(s, d);
+  return limits;
+}
+
+std::string describe(const StepLimits& l, double dt) {
+  std::string line = fmt::format("dt = {:.3g} s", dt);
+  const auto ratio = [&](const char* name, double limit) {
+    if (limit > 0) line += fmt::format(", dt/{} {:.2g}", name, dt / limit);
+  };
+  ratio("tau_Hertz", l.contact_time);
+  ratio("Rayleigh", l.rayleigh_time);
+  ratio("drag limit", l.drag);
+  ratio("lubrication limit", l.lubrication);
+  ratio("contact limit", l.contacts);
+  return line;
+}
+
+std::string way_warning(const StepLimits& l, double dt) {
+  const double share = dt / l.passing;
+  if (share <= long_share) return {};
+  return fmt::format(
+      "in a step of {:.3g} s the fastest particles go {:.2g} of a diameter (more than {}: contacts are met late; a "
+      "run refuses more than {})",
+      dt, share, long_share, longest_share);
+}
+
+double impact_error(const StepLimits& l, double dt) { return 0.36 * dt * dt / (l.impact * l.impact); }
+
+std::string impact_warning(const StepLimits& l, double dt) {
+  const double error = impact_error(l, dt);
+  if (error <= 0.01 || l.films_brake) return {};
+  return fmt::format(
+      "the step is {:.2g} of the limit of two spheres that collide: the restitution of single impacts is off by up to "
+      "{:.2g} %, on average by less than one",
+      dt / l.impact, 100 * error);
+}
+
+std::string check_step(const StepLimits& l, const StepChoice& step) {
+  require(step.dt <= longest_share * l.passing,
+          "in a step of {:.3g} s the fastest particles go {:.2g} of a diameter (no more than {}, or contacts are met "
+          "too late): lower {}",
+          step.dt, step.dt / l.passing, longest_share, step.key);
+  require(l.expected_overlap <= deepest_overlap,
+          "overlaps of {:.2g} diameters are to be expected (no more than {} means anything): raise "
+          "contact.youngs_modulus or slow the flow",
+          l.expected_overlap, deepest_overlap);
+  const double limit = l.smallest(), dt = step.dt;
+  const char* force = limit == l.drag ? "drag" : limit == l.lubrication ? "lubrication" : "the contacts";
+  const char* key = step.key;
+  const std::string remedy =
+      limit == l.drag ? fmt::format("set time.integrator = \"implicit_drag\", lower {} or raise time.mass_scale", key)
+      : limit == l.lubrication
+          ? fmt::format(
+                "set time.integrator = \"implicit_fluid\", lower {}, raise time.mass_scale or particles.roughness", key)
+          : fmt::format("lower {} or contact.youngs_modulus", key);
+  if (dt > limit) {
+    const std::string what = fmt::format("the step of {:.3g} s is unstable: {} allow{} {:.3g} s; {}", dt, force,
+                                         limit == l.contacts ? "" : "s", limit, remedy);
+    require(step.allow_unstable, "{}", what);
+    return what;
+  }
+  if (dt <= near_limit * limit) return {};
+  return fmt::format("the step of {:.3g} s is near the limit of {}, {:.3g} s: {}", dt, force, limit, remedy);
+}
+
+}  // namespace clogflow

@@ -1,0 +1,61 @@
+#include "dem/state/particles.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dem/state/sound.hpp"
+
+namespace clogflow {
+
+namespace {
+
+template <class T>
+void gather(std::vector<T>& values, const std::vector<int>& order) {
+  std::vector<T> taken(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) taken[k] = values[order[k]];
+  values.swap(taken);
+}
+
+}  // namespace
+
+bool Particles::sound(double largest_radius) const {
+  const auto possible = [&](const ParticleState& s) {
+    for (double value : {s.x, s.y, s.z, s.radius, s.vx, s.vy, s.vz, s.mass, s.wx, s.wy, s.wz, s.inertia})
+      if (!std::isfinite(value)) return false;
+    return s.radius > 0 && s.mass > 0 && s.inertia > 0 && s.radius <= largest_radius;
+  };
+  return states.size() == size() && passed.size() == size() && std::ranges::all_of(states, possible);
+}
+
+void Particles::add(const Particle& p) {
+  id.push_back(p.id);
+  ParticleState state;
+  state.x = p.x, state.y = p.y, state.z = p.z, state.radius = p.radius;
+  state.vx = p.vx, state.vy = p.vy, state.vz = p.vz, state.mass = p.mass;
+  state.wx = p.wx, state.wy = p.wy, state.wz = p.wz, state.inertia = p.inertia;
+  states.push_back(state);
+  passed.push_back(0);
+}
+
+void Particles::clear_loads() {
+  for (ParticleState& s : states) s.fx = s.fy = s.fz = s.tx = s.ty = s.tz = s.no_force = s.no_torque = 0;
+}
+
+void Particles::reorder(const std::vector<int>& order) {
+  gather(id, order);
+  gather(states, order);
+  gather(passed, order);
+}
+
+double half_step_energy(const Particles& p) {
+  double energy = 0;
+  for (const ParticleState& s : p.states) energy += kinetic_energy(s, {s.vx, s.vy, s.vz}, {s.wx, s.wy, s.wz});
+  return energy;
+}
+
+ParticlePointers pointers(Particles& p) {
+  auto* state = reinterpret_cast<double*>(p.states.data());
+  return {p.states.data(), state, state + record_loads, p.size()};
+}
+
+}  // namespace clogflow

@@ -1,0 +1,34 @@
+// Many seeds of one or more scenes, done by all ranks of a call together.
+#pragma once
+
+#include "ensemble/worklist.hpp"
+
+namespace clogflow {
+
+struct EnsembleCall {
+  std::vector<Ensemble> ensembles;
+  Launch launch;
+  std::filesystem::path ledger;  ///< file, see ledger.hpp
+};
+
+/// As far as this rank knows; rank 0 knows all.
+struct EnsembleResult {
+  std::size_t failed = 0;      ///< seeds
+  bool complete = true;        ///< every seed is done, failed, or not needed
+  int left_to_others = 0;      ///< seeds that another call is at work on
+  std::string other;           ///< who
+  std::size_t unrecorded = 0;  ///< seeds of this rank that the ledger could not take
+  double busy = 0;             ///< of all ranks, at work on seeds [s]
+  double duration = 0;         ///< from the begin to the end of this rank's call [s]
+};
+
+/// That no directory holds runs or states of another scene. \return lines on what is odd \throws Error otherwise
+std::vector<std::string> check_directories(const EnsembleCall& call);
+
+/// Runs the seeds that have no run file yet, each from its saved state if there is one. A seed that fails
+/// is reported, leaves its reason in run_NNNN.failed, and does not stop the rest. States are saved every
+/// output.checkpoint_interval. A finished run that ends too early is lengthened. Other calls may be at work in the
+/// same directories: seeds are shared with them.
+EnsembleResult run_ensembles(const EnsembleCall& call, const Watcher& watcher, const Reporter& report);
+
+}  // namespace clogflow

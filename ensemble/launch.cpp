@@ -1,0 +1,78 @@
+#include "ensemble/launch.hpp"
+
+#include <charconv>
+#include <chrono>
+#include <cstdlib>
+#include <optional>
+#include <string_view>
+
+#include <unistd.h>
+
+#include "coupling/base/require.hpp"
+
+namespace clogflow {
+
+namespace {
+
+std::optional<std::string> variable(const char* name) {
+  const char* value = std::getenv(name);
+  return value ? std::optional<std::string>(value) : std::nullopt;
+}
+
+std::optional<int> number(const char* name) {
+  const auto text = variable(name);
+  if (!text) return {};
+  int value = -1;
+  const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), value);
+  require(error == std::errc() && end == text->data() + text->size() && value >= 0,
+          "{} = {} (the environment of a launcher must hold a whole number): unset it, or start under mpirun or srun",
+          name, *text);
+  return value;
+}
+
+/// Names of rank and number of ranks; `condition` must be there too. The batch script of Slurm is no step: it
+/// has the variables of a rank and is none.
+struct Launcher {
+  const char *rank, *count, *condition, *call;
+};
+
+constexpr Launcher launchers[] = {
+    {"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE", "OMPI_COMM_WORLD_RANK", "PMIX_NAMESPACE"},
+    {"PMI_RANK", "PMI_SIZE", "PMI_RANK", "PMI_JOBID"},
+    {"SLURM_PROCID", "SLURM_NTASKS", "SLURM_STEP_ID", "SLURM_STEP_ID"},
+};
+
+std::string host_name() {
+  char name[256] = "";
+  ::gethostname(name, sizeof name - 1);
+  return name;
+}
+
+std::string call_of(const Launcher& launcher) {
+  std::string call = variable(launcher.call).value_or("");
+  // The key is random; the other names repeat where process numbers do, as in containers.
+  for (const char* name : {"OMPI_MCA_orte_precondition_transports", "SLURM_JOB_ID", "SLURM_RESTART_COUNT"})
+    if (const auto value = variable(name)) call += "." + *value;
+  return call;
+}
+
+}  // namespace
+
+Launch launch_from_environment() {
+  Launch launch;
+  launch.host = host_name();
+  for (const Launcher& launcher : launchers) {
+    const auto rank = number(launcher.rank), count = number(launcher.count);
+    if (!rank || !count || !variable(launcher.condition)) continue;
+    require(*rank < *count, "{} = {} (must be below {} = {}): unset both, or start under mpirun or srun", launcher.rank,
+            *rank, launcher.count, *count);
+    launch.rank = *rank, launch.count = *count, launch.call = call_of(launcher), launch.by_launcher = true;
+    break;
+  }
+  if (launch.call.empty())
+    launch.call =
+        fmt::format("{}.{}.{}", launch.host, ::getpid(), std::chrono::system_clock::now().time_since_epoch().count());
+  return launch;
+}
+
+}  // namespace clogflow

@@ -1,0 +1,92 @@
+// Cuts a run down to what the statistics need.
+#include "postprocess/events/seed_record.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "coupling/base/require.hpp"
+#include "coupling/files/run_record.hpp"
+
+namespace clogflow::postprocess {
+namespace {
+
+/// The count of a full channel wavers by a few per cent while bursts leave and are refilled.
+constexpr double full_share = 0.95;
+
+SteadyState steady_state(const RunData& run, const Window& window) {
+  const double from = 0.5 * (window.start + window.end);
+  const auto& series = run.series;
+  SteadyState steady;
+  for (std::size_t i = 0; i < series.time.size(); ++i) {
+    if (series.time[i] < from || series.time[i] > window.end) continue;
+    ++steady.samples;
+    steady.particles += static_cast<double>(series.count[i]);
+    steady.packing_fraction += series.packing_fraction[i];
+    if (series.porosity.empty()) continue;
+    steady.porosity.resize(series.porosity[i].size());
+    for (std::size_t k = 0; k < steady.porosity.size(); ++k) steady.porosity[k] += series.porosity[i][k];
+  }
+  const double share =
+      steady.samples > 0 ? 1.0 / static_cast<double>(steady.samples) : std::numeric_limits<double>::quiet_NaN();
+  steady.particles *= share;
+  steady.packing_fraction *= share;
+  for (double& eps : steady.porosity) eps *= share;
+  return steady;
+}
+
+/// A number that the solver may have recorded; NaN where it did not.
+double recorded(const RunData& run, const char* name) {
+  const auto found = run.provenance.find(name);
+  if (found == run.provenance.end()) return std::numeric_limits<double>::quiet_NaN();
+  require(found->is_number(), "seed {}: {} in the record of the run is no number", run.seed, name);
+  return found->get<double>();
+}
+
+bool fills_behind_a_gate(const Scene& scene) { return scene.inlet.enabled && scene.inlet.start == InletStart::filled; }
+
+}  // namespace
+
+ClogScale clog_scale(const Scene& scene, std::optional<double> threshold, const std::string& where) {
+  const double tau = scene.stokes_time();
+  require(tau > 0 || threshold,
+          "{}: its scene has no flow, hence no Stokes time d/v to define a clog: give --threshold", where);
+  const double t_min = threshold.value_or(0.5 * tau);
+  return {tau > 0 ? tau : 2.0 * t_min, t_min};
+}
+
+double end_of_filling(const RunData& run, const Scene& scene) {
+  const auto& time = run.series.time;
+  const auto& count = run.series.count;
+  if (!scene.inlet.enabled || scene.inlet.start == InletStart::filled || time.empty()) return 0;
+  std::vector<std::int64_t> late(count.begin() + static_cast<std::ptrdiff_t>(count.size() / 2), count.end());
+  const auto middle = late.begin() + static_cast<std::ptrdiff_t>(late.size() / 2);
+  std::nth_element(late.begin(), middle, late.end());
+  const double full = full_share * static_cast<double>(*middle);
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    if (static_cast<double>(count[i]) >= full) return time[i];
+  }
+  return 0;
+}
+
+SeedRecord record_of(const RunData& run, const Scene& scene, const ClogScale& scale) {
+  SeedRecord record;
+  record.seed = run.seed;
+  record.protocol = scene.unclog.protocol;
+  record.window = {end_of_filling(run, scene), run.end_time};
+  for (std::size_t i = 0; i < run.passages.time.size(); ++i) {
+    if (run.passages.time[i] < record.window.start) continue;
+    ++record.passages;
+    record.while_off += run.passages.friction_off[i];
+  }
+  record.lapses = lapses_of(run, record.window);
+  record.releases = run.releases.off.size();
+  record.bursts = record.protocol == UnclogProtocol::release
+                      ? bursts_after_releases(run, record.window, scene.unclog.after)
+                      : bursts_between_clogs(run, record.window, scale.threshold);
+  record.steady = steady_state(run, record.window);
+  record.filling_time = fills_behind_a_gate(scene) ? recorded(run, run_record::fill_time) : record.window.start;
+  record.wall_time = recorded(run, run_record::wall_time);
+  return record;
+}
+
+}  // namespace clogflow::postprocess

@@ -1,0 +1,63 @@
+// Percentile bootstrap.
+#include "postprocess/laws/confidence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "postprocess/laws/random_stream.hpp"
+
+namespace clogflow::postprocess {
+namespace {
+
+/// Linear interpolation between order statistics.
+double quantile(const std::vector<double>& sorted, double q) {
+  const double at = q * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(at);
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  return sorted[below] + (at - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+}
+
+}  // namespace
+
+Estimate bootstrap_over_seeds(std::size_t count, const EnsembleStatistic& statistic, const Resampling& resampling) {
+  std::vector<std::size_t> seeds(count);
+  std::iota(seeds.begin(), seeds.end(), std::size_t{0});
+  constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+  Estimate estimate{statistic(seeds), undefined, undefined};
+  if (!std::isfinite(estimate.value)) return estimate;
+  if (count < 2) {
+    estimate.note = "a single seed: no interval";
+    return estimate;
+  }
+
+  std::vector<double> values;
+  for (std::size_t replicate = 0; replicate < resampling.replicates; ++replicate) {
+    RandomStream random(resampling.seed, replicate);
+    for (auto& seed : seeds) seed = random.below(count);
+    const double value = statistic(seeds);
+    if (std::isfinite(value)) values.push_back(value);
+  }
+  if (2 * values.size() < resampling.replicates || values.empty()) {
+    estimate.note = "few seeds define it: no interval";
+    return estimate;
+  }
+  std::sort(values.begin(), values.end());
+  estimate.low = quantile(values, (1.0 - resampling.level) / 2.0);
+  estimate.high = quantile(values, (1.0 + resampling.level) / 2.0);
+  return estimate;
+}
+
+bool is_spread_missing(const Estimate& estimate) {
+  // Sums in another order differ in their last digits.
+  constexpr double rounding = 1e-12;
+  return estimate.high - estimate.low <= rounding * std::abs(estimate.value);
+}
+
+Estimate without_interval(const Estimate& estimate) {
+  constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+  return {estimate.value, undefined, undefined, "resampled seeds all agree"};
+}
+
+}  // namespace clogflow::postprocess

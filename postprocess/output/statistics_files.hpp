@@ -1,0 +1,23 @@
+// The whole of `clog stats`: run files in, stats.json and tables out.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "postprocess/summary/group_statistics.hpp"
+
+namespace clogflow::postprocess {
+
+struct StatisticsJob {
+  std::vector<std::filesystem::path> folders;
+  std::filesystem::path out;
+  std::optional<double> threshold;  ///< T_min [s]; absent: tau/2
+  StatisticsRequest request;
+};
+
+/// Writes stats.json and the tables into `out`, which it creates. \return what stats.json holds
+/// \throws Error as gather, or when a file cannot be written
+nlohmann::json write_statistics(const StatisticsJob& job);
+
+}  // namespace clogflow::postprocess

@@ -1,0 +1,21 @@
+// The CSV tables: every event and every distribution, units in the header.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "postprocess/events/run_groups.hpp"
+
+namespace clogflow::postprocess {
+
+/// A table as text under its file name; the column `group` is the index in stats.json.
+struct Table {
+  std::string file;
+  std::string text;
+};
+
+/// lapses, bursts, arrests, burst_distribution, lapse_distribution, lapse_survival,
+/// arrest_survival.
+std::vector<Table> tables_of(const std::vector<RunGroup>& groups);
+
+}  // namespace clogflow::postprocess

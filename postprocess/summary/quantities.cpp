@@ -1,0 +1,133 @@
+// The table of quantities, and their estimates.
+#include "postprocess/summary/quantities.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "postprocess/laws/counting_interval.hpp"
+
+namespace clogflow::postprocess {
+namespace {
+
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+
+Estimate mean_size(double stops, double passages, double level) {
+  return mean_burst_from_counts(static_cast<std::size_t>(stops), static_cast<std::size_t>(passages), level);
+}
+
+/// Sizes from 0 on are sizes from 1 on, less one.
+Estimate mean_size_with_zeros(double stops, double passages, double level) {
+  const Estimate shifted = mean_size(stops, passages + stops, level);
+  return {shifted.value - 1, shifted.low - 1, shifted.high - 1};
+}
+
+Estimate share(double part, double whole, double level) {
+  return share_from_counts(static_cast<std::size_t>(part), static_cast<std::size_t>(whole), level);
+}
+
+Estimate rate(double events, double exposure, double level) {
+  return rate_from_counts(static_cast<std::size_t>(events), exposure, level);
+}
+
+double ended(const Totals& t) { return t.arrests - t.censored; }
+
+/// Arrests that were all cut leave an upper bound.
+Estimate exponent(const Totals& t, double level) {
+  const Estimate above_one = rate(ended(t), t.log_exposure, level);
+  if (ended(t) == 0) return {undefined, undefined, 1.0 + above_one.high};
+  return {1.0 + above_one.value, 1.0 + above_one.low, 1.0 + above_one.high};
+}
+
+const std::vector<Quantity> table{
+    {"mean_burst", "1", "<s>: passages per burst, over bursts of one or more",
+     "no burst that began and ended within a run", [](const Totals& t) { return t.escaped / t.bursts; },
+     [](const Totals& t, double level) { return mean_size(t.bursts, t.escaped, level); }},
+    {"mean_burst_with_zeros", "1", "<s> when a release that nothing follows counts as s = 0",
+     "no burst that began and ended within a run", [](const Totals& t) { return t.escaped / (t.bursts + t.failed); },
+     [](const Totals& t, double level) { return mean_size_with_zeros(t.bursts + t.failed, t.escaped, level); }},
+    {"mean_burst_censored", "1", "<s> by maximum likelihood, bursts that the end cut off included",
+     "no burst that began and ended within a run",
+     [](const Totals& t) { return (t.escaped + t.cut_off_escaped) / t.bursts; },
+     [](const Totals& t, double level) { return mean_size(t.bursts, t.escaped + t.cut_off_escaped, level); }},
+    {"mean_burst_memoryless", "1", "<s> by maximum likelihood, first bursts and those that the end cut off included",
+     "no clog ended a burst", [](const Totals& t) { return all_escaped(t) / all_stops(t); },
+     [](const Totals& t, double level) { return mean_size(all_stops(t), all_escaped(t), level); }},
+    {"mean_burst_by_threshold", "1", "passages per lapse of T_min and more, whatever ended it",
+     "no lapse of T_min or more", [](const Totals& t) { return t.passages / t.arrests; },
+     [](const Totals& t, double level) { return mean_size(t.arrests, t.passages, level); }},
+    {"share_failed", "1", "share of the releases that no passage follows", "no release",
+     [](const Totals& t) { return t.failed / t.releases; },
+     [](const Totals& t, double level) { return share(t.failed, t.releases, level); }},
+    {"passages_while_off", "1", "passages per release while friction was off (not part of s)", "no release",
+     [](const Totals& t) { return t.while_off / t.releases; },
+     [](const Totals& t, double level) { return rate(t.while_off, t.releases, level); }},
+    {"flow_rate", "1/s", "passages per time, clogs included", "no time",
+     [](const Totals& t) { return t.passages / t.time; },
+     [](const Totals& t, double level) { return rate(t.passages, t.time, level); }},
+    {"flow_rate_flowing", "1/s", "passages per time within bursts", "no lapse below T_min",
+     [](const Totals& t) { return t.flowing_lapses / t.flowing_time; },
+     [](const Totals& t, double level) { return rate(t.flowing_lapses, t.flowing_time, level); }},
+    {"share_clogged", "1", "share of the time spent in lapses of T_min and more", "no time",
+     [](const Totals& t) { return t.clogged_time / t.time; }, nullptr},
+    {"alpha_fixed", "1", "power-law exponent of T >= T_min, censored arrests included",
+     "no arrest that a passage ended",
+     [](const Totals& t) { return ended(t) > 0 ? 1.0 + ended(t) / t.log_exposure : undefined; }, exponent},
+    {"share_censored", "1", "share of the arrests that a release or the end of the run cut", "no arrest",
+     [](const Totals& t) { return t.censored / t.arrests; },
+     [](const Totals& t, double level) { return share(t.censored, t.arrests, level); }},
+    {"share_permanent", "1", "share of the seeds that end in a clog of 5 tau or more", "no seed",
+     [](const Totals& t) { return t.permanent / t.seeds; },
+     [](const Totals& t, double level) { return share(t.permanent, t.seeds, level); }},
+};
+
+Totals sum_of(const std::vector<Totals>& seeds) {
+  Totals sum;
+  for (const Totals& each : seeds) sum = sum + each;
+  return sum;
+}
+
+Estimate from_counts(const Quantity& quantity, const Totals& sum, double level) {
+  return quantity.counted ? quantity.counted(sum, level) : Estimate{undefined, undefined, undefined};
+}
+
+}  // namespace
+
+const std::vector<Quantity>& quantities() { return table; }
+
+Estimate estimate(const Quantity& quantity, const std::vector<Totals>& seeds, const Resampling& resampling) {
+  Estimate known = bootstrap_over_seeds(
+      seeds.size(),
+      [&](const std::vector<std::size_t>& drawn) {
+        Totals sum;
+        for (const std::size_t k : drawn) sum = sum + seeds[k];
+        return quantity.value(sum);
+      },
+      resampling);
+  if (!std::isfinite(known.value)) {
+    const Estimate bound = from_counts(quantity, sum_of(seeds), resampling.level);
+    return {undefined, bound.low, bound.high, quantity.missing};
+  }
+  if (!is_spread_missing(known)) return known;
+  known = without_interval(known);
+  const Estimate exact = from_counts(quantity, sum_of(seeds), resampling.level);
+  if (!std::isfinite(exact.high)) return known;
+  return {known.value, exact.low, exact.high, known.note + "; interval of the counts"};
+}
+
+Estimate estimate_change(const Quantity& quantity, const std::vector<std::array<Totals, 2>>& halves,
+                         const Resampling& resampling) {
+  const Estimate change = bootstrap_over_seeds(
+      halves.size(),
+      [&](const std::vector<std::size_t>& drawn) {
+        Totals first, second;
+        for (const std::size_t k : drawn) {
+          first = first + halves[k][0];
+          second = second + halves[k][1];
+        }
+        return quantity.value(second) - quantity.value(first);
+      },
+      resampling);
+  return is_spread_missing(change) ? without_interval(change) : change;
+}
+
+}  // namespace clogflow::postprocess

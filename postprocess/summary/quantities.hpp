@@ -1,0 +1,39 @@
+// The numbers of an ensemble: ratios of totals, with intervals, and what is said where there is
+// none.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "postprocess/laws/confidence.hpp"
+#include "postprocess/summary/totals.hpp"
+
+namespace clogflow::postprocess {
+
+/// One number of an ensemble: a ratio of totals, NaN where they do not define it.
+struct Quantity {
+  std::string key;
+  std::string unit;
+  std::string meaning;
+  std::string missing;  ///< what there is none of where it is undefined
+  double (*value)(const Totals&);
+  /// What the counts alone say, as if events were independent; nullptr where nothing is counted.
+  /// For an undefined value its bound, on one side.
+  Estimate (*counted)(const Totals&, double level);
+};
+
+/// Everything that stats.json gives with an interval, in this order.
+const std::vector<Quantity>& quantities();
+
+/// Value of a quantity over an ensemble with its interval from resampled seeds. Where these all
+/// give the same, which is no certainty, the interval is the exact one of the counts, if they have
+/// one. The note says so, and why there is no value or no interval.
+Estimate estimate(const Quantity& quantity, const std::vector<Totals>& seeds, const Resampling& resampling);
+
+/// Second half minus first half, seeds resampled in pairs: a quantity whose interval excludes 0
+/// ages.
+Estimate estimate_change(const Quantity& quantity, const std::vector<std::array<Totals, 2>>& halves,
+                         const Resampling& resampling);
+
+}  // namespace clogflow::postprocess

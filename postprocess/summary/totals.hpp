@@ -1,0 +1,52 @@
+// Sums that add up over seeds; every published number is a ratio of them (quantities.hpp).
+#pragma once
+
+#include <vector>
+
+#include "postprocess/events/seed_record.hpp"
+
+namespace clogflow::postprocess {
+
+/// What a seed contributes within a span of its time. Bursts, lapses and arrests belong to the span
+/// in which they start, their time to the one in which it passes, so that two halves add up to the
+/// whole.
+struct Totals {
+  double seeds = 0;
+  double time = 0;             ///< [s]
+  double passages = 0;         ///< with friction on
+  double flowing_lapses = 0;   ///< whole lapses below T_min
+  double flowing_time = 0;     ///< their sum [s]
+  double clogged_time = 0;     ///< time in arrests, those cut by a release or the end included [s]
+  double bursts = 0;           ///< counted ones with s >= 1
+  double escaped = 0;          ///< sum of their s
+  double cut_off_escaped = 0;  ///< sum of s over bursts that the end of the run cut off
+  double first_bursts = 0;     ///< with releases: first ones of a run with s >= 1 that a clog ended
+  double first_escaped = 0;    ///< sum of their s
+  double releases = 0;         ///< whose burst is whole
+  double failed = 0;           ///< of them, those followed by no passage
+  double while_off = 0;        ///< passages while they held friction off
+  double arrests = 0;          ///< lapses >= T_min, censored ones included
+  double censored = 0;         ///< of them, those that no passage ended
+  double log_exposure = 0;     ///< sum of ln(T/T_min) over the arrests
+  double permanent = 0;        ///< seeds whose last arrest outlives the run, see permanent_after
+};
+
+/// A run whose last arrest has lasted this many Stokes times counts as permanently clogged: the
+/// rest criterion of the release protocol (`unclog.after`, default 5 tau).
+inline constexpr double permanent_after = 5.0;
+
+/// \param span part of the record's window [s]
+Totals totals_of(const SeedRecord& record, const ClogScale& scale, const Window& span);
+
+/// Of whole runs. \param records of one ensemble
+Totals totals_of(const std::vector<SeedRecord>& records, const ClogScale& scale);
+
+/// Bursts with s >= 1 that a clog ended, the first of a run included.
+double all_stops(const Totals& totals);
+
+/// Passages of these and of the bursts that the end of the run cut off.
+double all_escaped(const Totals& totals);
+
+Totals operator+(const Totals& a, const Totals& b);
+
+}  // namespace clogflow::postprocess
