@@ -114,7 +114,7 @@ TEST(TradePresets, AreThoseOfTheCommittedStudy) {
   std::vector<json> studies;
   for (const char* name : {"d50.json", "d33.json", "d25.json"})
     studies.push_back(json::parse(
-        read_text_file(clog::source_folder() / "docs" / "trade" / name)));
+        read_text_file(clog::source_folder() / "docs" / "reports" / "trade" / name)));
   EXPECT_EQ(combine(studies), measured_settings());
 }
 

@@ -1,4 +1,4 @@
-"""Writes docs/results.md and its figures. Called by docs/make_results with a folder of statistics, one a sweep, and their number."""
+"""Writes docs/reports/results.md and its figures. Called by docs/make/make_results with a folder of statistics, one a sweep, and their number."""
 
 import math
 import sys
@@ -18,13 +18,14 @@ import style
 from stats_files import Statistics
 
 HERE = Path(__file__).resolve().parent
+REPORTS = HERE.parents[1] / "reports"
 
 
 def keep_png(make, statistics, name, target):
     """Draws with one of the report's functions and keeps the PNG it wrote as `target`, small enough for a repository."""
     with plt.rc_context({"savefig.dpi": 110}), tempfile.TemporaryDirectory() as folder:
         make(statistics, folder)
-        (HERE / target).write_bytes((Path(folder) / name).read_bytes())
+        (REPORTS / "results" / target).write_bytes((Path(folder) / name).read_bytes())
 
 
 def summary(campaign):
@@ -170,7 +171,7 @@ def main():
         sweeps=other_numerics(campaign) + other_sweeps(campaign),
         numerics=numerics(campaign.points[0].group),
         arguments=" ".join(["campaign", *(["SWEEP ..."] if count > 1 else [])]), not_covered=not_covered(campaign))
-    (HERE.parent / "results.md").write_text(page.rstrip("\n") + "\n", encoding="utf-8")
+    (REPORTS / "results.md").write_text(page.rstrip("\n") + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":
