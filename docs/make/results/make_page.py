@@ -165,7 +165,7 @@ def main():
         keep_png(make, campaign.statistics, name, target)
     fit = campaign.fit["mean_burst"]
     head = ["claim", "ours (D/d: value)", "agrees?"]
-    page = Template((HERE / "template.md").read_text(encoding="utf-8")).substitute(
+    page = Template((HERE / "template.md.in").read_text(encoding="utf-8")).substitute(
         summary=summary(campaign), missing=missing(campaign), points=points(campaign), law=law(fit) + rivals(fit), memory=memory(campaign),
         claims=table(head, claims.rows(campaign)), trends=table(head, claims.trend_rows(campaign)),
         sweeps=other_numerics(campaign) + other_sweeps(campaign),
