@@ -1,6 +1,7 @@
 """Writes docs/reports/results.md and its figures. Called by docs/make/make_results with a folder of statistics, one a sweep, and their number."""
 
 import math
+import re
 import sys
 import tempfile
 from pathlib import Path
@@ -156,6 +157,11 @@ def not_covered(campaign):
     return "\n".join(bullets)
 
 
+def shown(page):
+    """The page with <s> as readers shall see it: a viewer takes a tag of that name for text to be struck out, but not in code."""
+    return re.sub(r"`[^`]*`|<s>", lambda found: r"\<s>" if found[0] == "<s>" else found[0], page)
+
+
 def main():
     work, count = Path(sys.argv[1]), int(sys.argv[2])
     campaign = Campaign(work / "0", [work / str(k) for k in range(1, count)])
@@ -171,7 +177,7 @@ def main():
         sweeps=other_numerics(campaign) + other_sweeps(campaign),
         numerics=numerics(campaign.points[0].group),
         arguments=" ".join(["campaign", *(["SWEEP ..."] if count > 1 else [])]), not_covered=not_covered(campaign))
-    (REPORTS / "results.md").write_text(page.rstrip("\n") + "\n", encoding="utf-8")
+    (REPORTS / "results.md").write_text(shown(page).rstrip("\n") + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":
