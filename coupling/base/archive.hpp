@@ -16,7 +16,7 @@
 namespace clogflow {
 
 /// A class takes part through one member function, the same for both directions:
-///   template <class Archive> void exchange(Archive& archive) { archive(a_, b_, c_); }
+///   `template <class Archive> void exchange(Archive& archive) { archive(a_, b_, c_); }`
 class ArchiveWriter {
 public:
   static constexpr bool loading = false;

@@ -5,7 +5,7 @@
 
 namespace clogflow {
 
-/// When a file gets its name. \enum written: at once, for content that proves itself by a checksum and has another
+/// When a file gets its name. `written`: at once, for content that proves itself by a checksum and has another
 /// file to fall back on should the power fail; who is about to be killed has no time to wait for the disk.
 enum class NamedWhen { flushed, written };
 

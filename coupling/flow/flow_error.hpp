@@ -33,7 +33,7 @@ double correction(double fine, double coarse);
 
 /// The error that is told for an extrapolated number: 1.25 times its correction.
 /// \source the factor: P. J. Roache, J. Fluids Eng. 116 (1994) 405, for an order known from three
-///         meshes or more, as ours is; measured in docs/flow.md
+///         meshes or more, as ours is; measured in docs/reports/flow.md
 double told_error(double fine, double coarse);
 
 /// Adds the correction to every sample that both solutions have. It stays as it is where only one

@@ -27,7 +27,7 @@ std::vector<std::string> chosen_keys(const std::vector<RunGroup>& groups);
 /// nothing varies.
 struct SweepAxis {
   std::string key;          ///< "particles.diameter"
-  bool neck_ratio = false;  ///< x is D/d, and <s> is drawn against its cube
+  bool neck_ratio = false;  ///< x is D/d, and the mean burst is drawn against its cube
   bool numeric = true;      ///< otherwise x counts the values in order of appearance
   std::string unit = "1";   ///< of x
 };

@@ -11,10 +11,10 @@ namespace clogflow::postprocess {
 
 /// The object `trend` of stats.json; its keys are documented in postprocess/README.md.
 ///
-/// <s> of a point is that of a memoryless stopping, all bursts used; its interval is the wider of the
+/// The mean burst `<s>` of a point is that of a memoryless stopping, all bursts used; its interval is the wider of the
 /// one over seeds and the exact one of the counts, so that few seeds or few bursts do not look sure.
 /// A point without a clog has a lower bound only. Laws, fitted by fit_line to the logarithms:
-///   <s> = A exp(b x), x = (D/d)^3 when D/d varies, otherwise the swept key
+///   `<s>` = A exp(b x), x = (D/d)^3 when D/d varies, otherwise the swept key
 ///   alpha = A exp(b x), x = D/d or the key
 /// Points with a bound alone are not fitted but compared with the law. Arrests that releases cut do
 /// not enter the law of alpha: their range ends where the protocol ends it.

@@ -91,7 +91,7 @@ def flow_of(**changes):
 
 PORE = {"geometry__" + key: None for key in ("channel_length", "half_angle")} | {
     "geometry__stl": f'"{REPOSITORY / "scenes" / "pore.stl"}"', "geometry__stl_unit": '"1 um"',
-    "flow__mesh_cells_per_neck": 10}
+    "flow__mesh_cells_per_neck": 14}
 STEPPED = {"geometry__half_angle": '"45 deg"', "geometry__step_width": '"200 um"', "geometry__step_length": '"100 um"',
            "geometry__expansion_width": '"300 um"', "flow__mesh_cells_per_neck": 12}
 

@@ -122,7 +122,7 @@ TEST(TradePresets, RefuseWhatIsNoStudy) {
 TEST(TradePresets, AreThoseOfTheCommittedStudy) {
   std::vector<json> studies;
   for (const char* name : {"d50.json", "d33.json", "d25.json"})
-    studies.push_back(json::parse(read_text_file(clogflow::source_folder() / "docs" / "trade" / name)));
+    studies.push_back(json::parse(read_text_file(clogflow::source_folder() / "docs" / "reports" / "trade" / name)));
   EXPECT_EQ(combine(studies), measured_settings());
 }
 

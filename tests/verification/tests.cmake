@@ -1,5 +1,5 @@
 # Published benchmarks, closed forms and conservation laws: one program asserts them, the other writes
-# the same numbers to docs/verification.md.
+# the same numbers to docs/reports/verification.md.
 add_library(clog_verification OBJECT
   verification/all_groups.cpp
   verification/chung_ooi_normal.cpp

@@ -1,4 +1,4 @@
-// Writes docs/verification.md: every verified number beside its reference. Usage:
+// Writes docs/reports/verification.md: every verified number beside its reference. Usage:
 // verification_report [FILE]; without a file to standard output. Exit status 1 if a limit is exceeded.
 #include <cstdio>
 #include <fstream>
@@ -16,7 +16,7 @@ constexpr const char* introduction = R"(# Verification
 
 The particle solver against published benchmarks, closed forms and conservation laws. Made by
 
-    build/release/bin/verification_report docs/verification.md
+    build/release/bin/verification_report docs/reports/verification.md
 
 and asserted, with the same numbers and limits, by the test program `test_verification`. *Error* is relative to
 the reference, or absolute (marked "abs") where the reference is zero or a curve with zeros. Chung & Ooi: "Benchmark tests for

@@ -1,6 +1,7 @@
-"""Writes docs/results.md and its figures. Called by docs/make_results with a folder of statistics, one a sweep, and their number."""
+"""Writes docs/reports/results.md and its figures. Called by docs/make/make_results with a folder of statistics, one a sweep, and their number."""
 
 import math
+import re
 import sys
 import tempfile
 from pathlib import Path
@@ -18,13 +19,14 @@ import style
 from stats_files import Statistics
 
 HERE = Path(__file__).resolve().parent
+REPORTS = HERE.parents[1] / "reports"
 
 
 def keep_png(make, statistics, name, target):
     """Draws with one of the report's functions and keeps the PNG it wrote as `target`, small enough for a repository."""
     with plt.rc_context({"savefig.dpi": 110}), tempfile.TemporaryDirectory() as folder:
         make(statistics, folder)
-        (HERE / target).write_bytes((Path(folder) / name).read_bytes())
+        (REPORTS / "results" / target).write_bytes((Path(folder) / name).read_bytes())
 
 
 def summary(campaign):
@@ -155,6 +157,11 @@ def not_covered(campaign):
     return "\n".join(bullets)
 
 
+def shown(page):
+    """The page with <s> as readers shall see it: a viewer takes a tag of that name for text to be struck out, but not in code."""
+    return re.sub(r"`[^`]*`|<s>", lambda found: r"\<s>" if found[0] == "<s>" else found[0], page)
+
+
 def main():
     work, count = Path(sys.argv[1]), int(sys.argv[2])
     campaign = Campaign(work / "0", [work / str(k) for k in range(1, count)])
@@ -164,13 +171,13 @@ def main():
         keep_png(make, campaign.statistics, name, target)
     fit = campaign.fit["mean_burst"]
     head = ["claim", "ours (D/d: value)", "agrees?"]
-    page = Template((HERE / "template.md").read_text(encoding="utf-8")).substitute(
+    page = Template((HERE / "template.md.in").read_text(encoding="utf-8")).substitute(
         summary=summary(campaign), missing=missing(campaign), points=points(campaign), law=law(fit) + rivals(fit), memory=memory(campaign),
         claims=table(head, claims.rows(campaign)), trends=table(head, claims.trend_rows(campaign)),
         sweeps=other_numerics(campaign) + other_sweeps(campaign),
         numerics=numerics(campaign.points[0].group),
         arguments=" ".join(["campaign", *(["SWEEP ..."] if count > 1 else [])]), not_covered=not_covered(campaign))
-    (HERE.parent / "results.md").write_text(page.rstrip("\n") + "\n", encoding="utf-8")
+    (REPORTS / "results.md").write_text(shown(page).rstrip("\n") + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":

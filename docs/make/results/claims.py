@@ -34,7 +34,7 @@ def permanent_clogs(campaign):
     return ours, AGREES if few and lasting else PARTLY if few or lasting else DIFFERS
 
 
-# Measured apart from the campaign; template.md tells what.
+# Measured apart from the campaign; template.md.in tells what.
 FREE_FLOW = 'Without releases and from an empty start it is as claimed: see "What these numbers leave open"'
 
 

@@ -5,7 +5,7 @@ import sys
 import tomllib
 from pathlib import Path
 
-FIGURES = Path(__file__).resolve().parents[2] / "postprocess" / "figures"
+FIGURES = Path(__file__).resolve().parents[3] / "postprocess" / "figures"
 sys.path.insert(0, str(FIGURES))
 
 from stats_files import Statistics  # noqa: E402  (found through the line above)
