@@ -100,7 +100,7 @@ void check_constant_of_laws(const SceneDraft& draft, std::initializer_list<std::
 
 void check_contact(const SceneDraft& draft) {
   check_constant_of_laws(draft, {"hooke"}, "contact.stiffness", "10 N/m");
-  check_constant_of_laws(draft, {"jkr"}, "contact.surface_energy", "1 mJ/m2");
+  check_constant_of_laws(draft, {"jkr", "dmt"}, "contact.surface_energy", "1 mJ/m2");
   const auto& contact = draft.scene.contact;
   const bool plain = contact.torsion_update == TorsionUpdate::objective && contact.turning == "luding";
   require(contact.torsion_update == TorsionUpdate::objective || contact.turning == "luding",

@@ -107,11 +107,11 @@ std::vector<Key> make_keys() {
       NUMBER(particles.roughness, length, positive, "xi; default 0.005 diameter"),
       TEXT(particles.initial, "CSV file of initial particles: x,y,z,radius,vx,vy,vz,wx,wy,wz in SI units"),
 
-      LAW(contact.law, "normal force of a contact: Hertz, a linear spring, or Hertz that sticks (Johnson, Kendall, Roberts); default hertz", "hertz", "hooke", "jkr"),
+      LAW(contact.law, "normal force of a contact: Hertz, a linear spring, or Hertz that sticks: soft spheres (Johnson, Kendall, Roberts), hard ones (Derjaguin, Muller, Toporov); default hertz", "hertz", "hooke", "jkr", "dmt"),
       NUMBER(contact.youngs_modulus, pressure, positive, "of the particles"),
       NUMBER(contact.poisson_ratio, number, (Range{.low = 0, .high = 0.5, .high_allowed = false}), "of the particles"),
       NUMBER(contact.stiffness, stiffness, positive, "of the linear spring of law hooke"),
-      NUMBER(contact.surface_energy, stiffness, positive, "work of adhesion of law jkr: to part both surfaces, per area"),
+      NUMBER(contact.surface_energy, stiffness, positive, "work of adhesion of laws jkr and dmt: to part both surfaces, per area"),
       NUMBER(contact.restitution, number, restitution, "speed after over before a dry head-on impact; default 0.7"),
       NUMBER(contact.tangential_factor, number, positive, "on the tangential stiffness; default 2/3, for law hooke 2/7 of its spring"),
       NUMBER(contact.tangential_damping, number, non_negative, "sliding, rolling and torsion damping over the normal one; default 1"),
