@@ -47,7 +47,7 @@ Rebound meet(const Scene& scene, double speed, double time) {
 
 Scene hooke_scene(double restitution) {
   Scene scene = soft_scene(1e-9);
-  scene.contact.law = ContactLawWord::hooke;
+  scene.contact.law = "hooke";
   scene.contact.stiffness = 2;
   scene.contact.restitution = restitution;
   return scene;
@@ -146,7 +146,7 @@ TEST(Jkr, StoredEnergyIsTheIntegralOfTheForce) {
 
 Scene sticky_scene(double step) {
   Scene scene = soft_scene(step);
-  scene.contact.law = ContactLawWord::jkr;
+  scene.contact.law = "jkr";
   scene.contact.surface_energy = w;
   return scene;
 }
