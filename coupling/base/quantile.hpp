@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <vector>
 
+#include "coupling/base/expect.hpp"
+
 namespace clogflow {
 
 /// The value that a share of all values does not exceed; reorders them. 0 for no values.
 template <class T>
 T quantile(std::vector<T>& values, double share) {
+  expect(share >= 0 && share <= 1);
   if (values.empty()) return 0;
   const auto at = values.begin() + std::min(static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size())),
                                             static_cast<std::ptrdiff_t>(values.size()) - 1);
@@ -18,6 +21,7 @@ T quantile(std::vector<T>& values, double share) {
 
 /// The value of which a share lies below, between order statistics by a straight line. \param sorted  not empty
 inline double interpolated_quantile(const std::vector<double>& sorted, double share) {
+  expect(!sorted.empty() && std::ranges::is_sorted(sorted) && share >= 0 && share <= 1);
   const double at = share * static_cast<double>(sorted.size() - 1);
   const auto below = static_cast<std::size_t>(at);
   const std::size_t above = std::min(below + 1, sorted.size() - 1);
