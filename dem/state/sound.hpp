@@ -17,8 +17,4 @@ inline bool all_finite(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
 }
 
-inline bool all_positive(const std::vector<double>& values) {
-  return all_finite(values) && std::all_of(values.begin(), values.end(), [](double v) { return v > 0; });
-}
-
 }  // namespace clogflow
