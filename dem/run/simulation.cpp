@@ -65,7 +65,7 @@ Simulation::Simulation(const Scene& scene, const FlowGrid* flow, std::uint64_t s
   walls_ = WallContacts(model_.walls, largest_radius_, model_.reach, model_.weld);
   data_.seed = seed;
   data_.scene_text = effective_scene(scene);
-  if (flow) data_.provenance["flow_hash"] = flow->hash;
+  if (flow) data_.record.flow_hash = flow->hash;
 }
 
 RunData Simulation::run(const Watcher& watcher) {

@@ -77,7 +77,7 @@ std::vector<Film> Simulation::films() const {
 void Simulation::announce_step() {
   const InitialParticles initial = read_initial_file(model_.scene);
   const StepLimits limits = expected_limits(model_, initial.particles);
-  data_.provenance["step_limits"] = describe(limits, model_.dt);
+  data_.record.step_limits = describe(limits, model_.dt);
   if (say_) say_(describe(limits, model_.dt));
   if (say_ && !initial.note.empty()) say_(initial.note);
   if (say_ && !model_.walls_note.empty()) say_(model_.walls_note);

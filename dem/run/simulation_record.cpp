@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include "coupling/base/quantile.hpp"
-#include "coupling/files/run_record.hpp"
 #include "dem/run/simulation.hpp"
 
 #ifndef CLOG_REVISION
@@ -128,24 +127,24 @@ void Simulation::finish() {
   count_seconds();
   char host[256] = "unknown";
   gethostname(host, sizeof host - 1);
-  auto& p = data_.provenance;
+  RunRecord& r = data_.record;
   data_.end_time = time();
-  p["program"] = "clogflow " CLOG_VERSION;
-  p["revision"] = CLOG_REVISION;
-  p["compiler"] = __VERSION__;
-  p["instruction_set"] = kernels_.name;
-  p["host"] = host;
-  p[run_record::wall_time] = seconds_;
-  p[run_record::particle_steps] = particle_steps_;
-  p[run_record::particle_steps_per_s] = seconds_ > 0 ? particle_steps_ / seconds_ : 0;
-  p[run_record::time_step] = model_.dt;
-  p["contact_time_s"] = model_.contact_time;
-  if (std::isfinite(step_watch_.smallest_limit)) p[run_record::contact_limit] = step_watch_.smallest_limit;
-  p["shaking_speed_m_s"] = step_watch_.shaking;
-  p[run_record::fill_time] = filling_.duration;
-  p["fill_at_rest"] = filling_.at_rest;
-  p["inserted"] = inlet_.inserted();
-  p["insertions_refused"] = inlet_.refused();
+  r.program = "clogflow " CLOG_VERSION;
+  r.revision = CLOG_REVISION;
+  r.compiler = __VERSION__;
+  r.instruction_set = kernels_.name;
+  r.host = host;
+  r.wall_time = seconds_;
+  r.particle_steps = particle_steps_;
+  r.particle_steps_per_s = seconds_ > 0 ? particle_steps_ / seconds_ : 0;
+  r.time_step = model_.dt;
+  r.contact_time = model_.contact_time;
+  if (std::isfinite(step_watch_.smallest_limit)) r.contact_limit = step_watch_.smallest_limit;
+  r.shaking_speed = step_watch_.shaking;
+  r.fill_time = filling_.duration;
+  r.fill_at_rest = filling_.at_rest;
+  r.inserted = inlet_.inserted();
+  r.insertions_refused = inlet_.refused();
   if (say_ && inlet_.shut())
     say_(fmt::format("the inlet found no room for any particle in {} attempts: the channel is full up to it",
                      inlet_.refused()));
@@ -155,7 +154,7 @@ void Simulation::finish() {
         "warning: {} particle{} left at the outlet, x = {:.4g} m, and none was counted at passages.plane = {:.4g} m",
         left, left > 1 ? "s" : "", model_.domain.outlet, model_.domain.passage));
   if (model_.scene.contact.torsion_update == TorsionUpdate::doubling)
-    p["experiment"] = "contact.torsion_update = \"doubling\": springs advanced wrongly on purpose";
+    r.experiment = "contact.torsion_update = \"doubling\": springs advanced wrongly on purpose";
 }
 
 }  // namespace clogflow

@@ -104,9 +104,7 @@ void Simulation::check_resumed() const {
   demand(fluid_.noise().sound(), "random factors on the flow");
   demand(inlet_.sound(), "inlet");
   const std::string wrong = fault(data_);
-  const auto& provenance = data_.provenance;
-  demand(wrong.empty() && (provenance.is_object() || provenance.is_null()),
-         wrong.empty() ? "provenance" : wrong.c_str());
+  demand(wrong.empty(), wrong.c_str());
   demand(!watch_.friction_off() || !data_.releases.on.empty(), "release");
 
   demand(finite_from_zero(drifted_, way_, margin_, drifted_when_sorted_, next_insertion_, next_porosity_, next_series_,

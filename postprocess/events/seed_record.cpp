@@ -5,7 +5,6 @@
 
 #include "coupling/base/quantile.hpp"
 #include "coupling/base/require.hpp"
-#include "coupling/files/run_record.hpp"
 
 namespace clogflow::postprocess {
 namespace {
@@ -32,14 +31,6 @@ SteadyState steady_state(const RunData& run, const Window& window) {
   steady.packing_fraction *= share;
   for (double& eps : steady.porosity) eps *= share;
   return steady;
-}
-
-/// A number that the solver may have recorded; NaN where it did not.
-double recorded(const RunData& run, const char* name) {
-  const auto found = run.provenance.find(name);
-  if (found == run.provenance.end()) return std::numeric_limits<double>::quiet_NaN();
-  require(found->is_number(), "seed {}: {} in the record of the run is no number", run.seed, name);
-  return found->get<double>();
 }
 
 bool fills_behind_a_gate(const Scene& scene) { return scene.inlet.enabled && scene.inlet.start == InletStart::filled; }
@@ -82,8 +73,9 @@ SeedRecord record_of(const RunData& run, const Scene& scene, const ClogScale& sc
                       ? bursts_after_releases(run, record.window, scene.unclog.after)
                       : bursts_between_clogs(run, record.window, scale.threshold);
   record.steady = steady_state(run, record.window);
-  record.filling_time = fills_behind_a_gate(scene) ? recorded(run, run_record::fill_time) : record.window.start;
-  record.wall_time = recorded(run, run_record::wall_time);
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  record.filling_time = fills_behind_a_gate(scene) ? run.record.fill_time.value_or(unknown) : record.window.start;
+  record.wall_time = run.record.wall_time.value_or(unknown);
   return record;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "coupling/base/content_hash.hpp"
+#include "coupling/files/record_json.hpp"
 #include "coupling/geometry/channel_geometry.hpp"
 #include "coupling/scene/readable_scene.hpp"
 #include "postprocess/summary/event_statistics.hpp"
@@ -148,7 +149,7 @@ json group_statistics(const RunGroup& group, const StatisticsRequest& request) {
               {"bursts", burst_shape(group, request)},
               {"power_law", power_laws(group, request)},
               {"steady", steady_state(group, request)},
-              {"provenance", group.provenance},
+              {"provenance", record_json(group.record)},
               {"notes", notes(group)}};
   result.update(lapse_counts(group));
   add_verdict(result["quantities"]["alpha_fixed"], result["power_law"]["fixed_censored"]);
