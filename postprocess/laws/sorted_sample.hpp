@@ -33,6 +33,11 @@ public:
   /// sum of ln x_i over i >= first
   double sum_of_logarithms(std::size_t first) const { return tail_sum_[first]; }
 
+  /// Share of the tail from `first` on that lies before index i: its empirical distribution function.
+  double share_before(std::size_t first, std::size_t i) const {
+    return static_cast<double>(i - first) / static_cast<double>(size() - first);
+  }
+
   /// Index of the first value >= x.
   std::size_t lower_bound(double x) const;
 
