@@ -6,7 +6,7 @@
 
 #include "cli/verbs.hpp"
 #include "coupling/base/number_column.hpp"
-#include "postprocess/summary/fit_json.hpp"
+#include "postprocess/output/fit_json.hpp"
 
 namespace clogflow::cli {
 namespace {
@@ -27,7 +27,7 @@ nlohmann::json fit_column(const FitOptions& options, const postprocess::FitReque
   const Values found = postprocess::recognised(values);
   const Values kind = options.discrete ? Values::whole : options.continuous ? Values::continuous : found;
   const postprocess::SortedSample sample(values, kind);
-  nlohmann::json fit = fit_as_json(sample, request);
+  nlohmann::json fit = as_json(fit_tail(sample, request));
   fit["discrete_from"] = options.discrete || options.continuous ? "given" : "values";
   if (found == Values::whole && sample.kind() == Values::continuous)
     fit["notes"] = {"whole numbers fitted with a continuous law: alpha is biased, the more the smaller xmin"};
@@ -49,10 +49,10 @@ void add_fit(CLI::App& app) {
   auto* discrete = verb->add_flag("--discrete", options->discrete, "the law of whole numbers (default: if they are)");
   verb->add_flag("--continuous", options->continuous, "the law of any numbers")->excludes(discrete);
   verb->callback([options, xmin, p_value] {
-    postprocess::FitRequest request{.xmin = {}, .p_value = {}, .seed = options->seed};
+    postprocess::FitRequest request{.xmin = {}, .seed = options->seed};
     if (xmin->count() > 0) request.xmin = options->xmin;
     if (p_value->count() > 0) {
-      request.p_value = p_value->as<std::string>().empty() ? default_replicates : options->replicates;
+      request.p_value_replicates = p_value->as<std::string>().empty() ? default_replicates : options->replicates;
     }
     fmt::print("{}\n", fit_column(*options, request).dump(2));
   });

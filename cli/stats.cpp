@@ -1,4 +1,5 @@
 // clog stats: the numbers of an ensemble.
+#include <cmath>
 #include <filesystem>
 #include <memory>
 
@@ -20,63 +21,60 @@ double threshold_seconds(const std::string& text) {
 }
 
 /// The value, or the bound on it, or what it lacks.
-std::string known(const nlohmann::json& q) {
-  const auto number = [&](const char* side) { return fmt::format("{:.4g}", q.at(side).get<double>()); };
-  const std::string note = q.value("note", "");
-  if (q.at("value").is_null()) {
-    if (!q.at("high").is_null()) return fmt::format("below {} ({})", number("high"), note);
-    if (!q.at("low").is_null()) return fmt::format("above {} ({})", number("low"), note);
-    return fmt::format("unknown ({})", note);
+std::string known(const postprocess::Estimate& q) {
+  if (!std::isfinite(q.value)) {
+    if (std::isfinite(q.high)) return fmt::format("below {:.4g} ({})", q.high, q.note);
+    if (std::isfinite(q.low)) return fmt::format("above {:.4g} ({})", q.low, q.note);
+    return fmt::format("unknown ({})", q.note);
   }
-  if (q.at("low").is_null()) return number("value");
-  return fmt::format("{} [{}, {}]", number("value"), number("low"), number("high"));
+  if (!std::isfinite(q.low)) return fmt::format("{:.4g}", q.value);
+  return fmt::format("{:.4g} [{:.4g}, {:.4g}]", q.value, q.low, q.high);
 }
 
-std::string with_interval(const nlohmann::json& group, const char* key) {
-  const auto& q = group.at("quantities").at(key);
-  const bool drifts = q.contains("ages") && q.at("ages") == true;
-  return known(q) + (drifts ? " (drifts: first and second half differ)" : "");
+std::string with_interval(const postprocess::GroupStatistics& group, const char* key) {
+  const auto& q = group.of(key);
+  const bool drifts = q.halves && q.halves->ages.value_or(false);
+  return known(q.whole) + (drifts ? " (drifts: first and second half differ)" : "");
 }
 
 /// What is known to be wrong with the laws behind the numbers.
-void print_verdicts(const nlohmann::json& group) {
-  const auto& alpha = group.at("quantities").at("alpha_fixed");
-  if (alpha.value("ruled_out", false)) fmt::print("  alpha: {}\n", alpha.at("verdict").get<std::string>());
-  const auto& bursts = group.at("bursts");
-  if (bursts.contains("geometric") && bursts.at("geometric").at("ruled_out") == true)
-    fmt::print("  s: geometric law {}\n", bursts.at("geometric").at("verdict").get<std::string>());
+void print_verdicts(const postprocess::GroupStatistics& group) {
+  const auto* alpha = std::get_if<postprocess::ArrestFit>(&group.power_laws.fixed_censored);
+  if (alpha && alpha->verdict.ruled_out) fmt::print("  alpha: {}\n", alpha->verdict.words);
+  const auto& spread = group.bursts.spread;
+  if (spread && spread->verdict.ruled_out) fmt::print("  s: geometric law {}\n", spread->verdict.words);
 }
 
-void print_summary(const nlohmann::json& statistics) {
-  for (const auto& group : statistics.at("groups")) {
-    const bool by_release = group.at("protocol") == "release";
-    fmt::print("{}: {} seeds, {} bursts, <s> = {}, {} = {}, {} passages/s\n", group.at("label").get<std::string>(),
-               group.at("runs").size(), group.at("bursts").at("counted").get<std::size_t>(),
-               with_interval(group, "mean_burst"), by_release ? "releases without a passage" : "alpha(T_min)",
+void print_summary(const postprocess::Statistics& statistics) {
+  for (std::size_t i = 0; i < statistics.groups.size(); ++i) {
+    const auto& group = statistics.numbers[i];
+    const bool by_release = statistics.groups[i].scene.unclog.protocol == UnclogProtocol::release;
+    fmt::print("{}: {} seeds, {} bursts, <s> = {}, {} = {}, {} passages/s\n", group.label,
+               statistics.groups[i].records.size(), group.bursts.counted, with_interval(group, "mean_burst"),
+               by_release ? "releases without a passage" : "alpha(T_min)",
                with_interval(group, by_release ? "share_failed" : "alpha_fixed"), with_interval(group, "flow_rate"));
     print_verdicts(group);
   }
 }
 
+void print_law(const std::string& label, const char* symbol, const postprocess::SweepLaw& law) {
+  fmt::print("{}{}", label, label.empty() ? "" : ": ");
+  if (!law.line) {
+    fmt::print("no law for {}: {}\n", symbol, law.refused);
+    return;
+  }
+  const auto& b = law.line->slope;
+  fmt::print("{} = A exp(b {}), b = {:.4g} [{:.4g}, {:.4g}] from {} points, p = {:.2g}\n", symbol, law.x, b.value,
+             b.low, b.high, law.points, law.line->p_value);
+}
+
 /// The laws of a sweep, or why there is none; nothing for a single ensemble.
-void print_trend(const nlohmann::json& statistics) {
-  const auto& trend = statistics.at("trend");
-  for (const auto& name : trend.at("without_runs")) fmt::print("{}: no runs yet\n", name.get<std::string>());
-  if (statistics.at("groups").size() < 2) return;
-  for (const auto& series : trend.at("series")) {
-    for (const auto& [key, symbol] : {std::pair("mean_burst", "<s>"), {"alpha", "alpha"}}) {
-      const auto& fit = series.at(key);
-      const std::string label = series.at("label");
-      fmt::print("{}{}", label, label.empty() ? "" : ": ");
-      if (fit.contains("refused")) {
-        fmt::print("no law for {}: {}\n", symbol, fit.at("refused").get<std::string>());
-        continue;
-      }
-      const auto& b = fit.at("b");
-      fmt::print("{} = A exp(b {}), b = {:.4g} [{:.4g}, {:.4g}] from {} points, p = {:.2g}\n", symbol,
-                 fit.at("x").get<std::string>(), b.at("value").get<double>(), b.at("low").get<double>(),
-                 b.at("high").get<double>(), fit.at("points").get<std::size_t>(), fit.at("p_value").get<double>());
-    }
+void print_trend(const postprocess::Statistics& statistics) {
+  for (const std::string& name : statistics.without_runs) fmt::print("{}: no runs yet\n", name);
+  if (statistics.groups.size() < 2) return;
+  for (const auto& series : statistics.trend.series) {
+    print_law(series.label, "<s>", series.mean_burst);
+    print_law(series.label, "alpha", series.alpha);
   }
 }
 

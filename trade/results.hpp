@@ -13,7 +13,7 @@ namespace clogflow::trade {
 /// Fewer whole bursts than this in a sample, and no difference of it is judged.
 inline constexpr double least_bursts = 10;
 
-/// Everything a study measured, and what it did not run; keys are documented in docs/reports/trade.md. The
+/// Everything a study measured, and what it did not run; keys are documented in trade/README.md. The
 /// reference is the first setting of the matrix that has runs. Cost is particle-steps per simulated
 /// second, which the load of the machine does not change; seconds stand beside it.
 nlohmann::json study_results(const Study& study);

@@ -15,7 +15,6 @@
 namespace clogflow::trade {
 
 namespace fs = std::filesystem;
-using postprocess::Totals;
 
 namespace {
 
@@ -63,29 +62,6 @@ void add_run(Sample& sample, const fs::path& file) {
   sample.wall_seconds += recorded(&RunRecord::wall_time);
 }
 
-template <class Member>
-double sum(const std::vector<const Piece*>& pieces, Member member) {
-  double total = 0;
-  for (const Piece* piece : pieces) total += member(*piece);
-  return total;
-}
-
-using Pieces = std::vector<const Piece*>;
-
-double share(const Pieces& p, double Totals::*part, double Totals::*whole) {
-  return sum(p, [&](const Piece& x) { return x.totals.*part; }) /
-         sum(p, [&](const Piece& x) { return x.totals.*whole; });
-}
-
-double mean(const Pieces& p, double Piece::*member) {
-  return sum(p, [&](const Piece& x) { return x.*member; }) / sum(p, [](const Piece& x) { return x.samples; });
-}
-
-double alpha(const Pieces& p) {
-  const double whole = sum(p, [](const Piece& x) { return x.totals.arrests - x.totals.censored; });
-  return whole > 0 ? 1 + whole / sum(p, [](const Piece& x) { return x.totals.log_exposure; }) : undefined;
-}
-
 }  // namespace
 
 Sample read_sample(const fs::path& folder) {
@@ -99,23 +75,29 @@ Sample read_sample(const fs::path& folder) {
   return sample;
 }
 
+double Observable::value(const std::vector<const Piece*>& pieces) const {
+  postprocess::Totals totals;
+  double sum = 0, samples = 0;
+  for (const Piece* piece : pieces) {
+    totals = totals + piece->totals;
+    samples += piece->samples;
+    if (rows) sum += piece->*rows;
+  }
+  return quantity ? quantity->value(totals) : sum / samples;
+}
+
 const std::vector<Observable>& observables() {
+  using postprocess::find_quantity;
   static const std::vector<Observable> all{
-      {"flow_rate_flowing", "passages per second within bursts", false,
-       [](const Pieces& p) { return share(p, &Totals::flowing_lapses, &Totals::flowing_time); }},
-      {"mean_burst", "<s>, passages per burst of one or more", false,
-       [](const Pieces& p) { return share(p, &Totals::escaped, &Totals::bursts); }},
-      {"share_failed", "share of the releases that nothing follows", true,
-       [](const Pieces& p) { return share(p, &Totals::failed, &Totals::releases); }},
-      {"alpha", "exponent of T >= tau/2, censored arrests included", false, alpha},
-      {"share_censored", "share of the arrests that no passage ended", true,
-       [](const Pieces& p) { return share(p, &Totals::censored, &Totals::arrests); }},
+      {"flow_rate_flowing", "passages per second within bursts", false, find_quantity("flow_rate_flowing")},
+      {"mean_burst", "<s>, passages per burst of one or more", false, find_quantity("mean_burst")},
+      {"share_failed", "share of the releases that nothing follows", true, find_quantity("share_failed")},
+      {"alpha", "exponent of T >= tau/2, censored arrests included", false, find_quantity("alpha_fixed")},
+      {"share_censored", "share of the arrests that no passage ended", true, find_quantity("share_censored")},
       {"share_permanent", "share of the runs that end in a clog of 5 tau or more", true,
-       [](const Pieces& p) { return share(p, &Totals::permanent, &Totals::seeds); }},
-      {"packing_fraction", "of the channel upstream", false,
-       [](const Pieces& p) { return mean(p, &Piece::packing_fraction); }},
-      {"coordination", "contacts with other particles, per particle", false,
-       [](const Pieces& p) { return mean(p, &Piece::coordination); }},
+       find_quantity("share_permanent")},
+      {"packing_fraction", "of the channel upstream", false, nullptr, &Piece::packing_fraction},
+      {"coordination", "contacts with other particles, per particle", false, nullptr, &Piece::coordination},
   };
   return all;
 }
@@ -127,7 +109,7 @@ Difference compare(const Observable& observable, const Sample& reference, const 
   std::vector<std::array<const Piece*, 2>> pairs;
   for (const auto& [place, unit] : units) pairs.push_back(unit);
   const auto side = [&](const std::vector<std::size_t>& drawn, int which) {
-    Pieces pieces;
+    std::vector<const Piece*> pieces;
     for (const std::size_t k : drawn)
       if (pairs[k][which]) pieces.push_back(pairs[k][which]);
     return pieces;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "postprocess/summary/totals.hpp"
+#include "postprocess/summary/quantities.hpp"
 
 namespace clogflow::trade {
 
@@ -33,12 +33,16 @@ struct Sample {
 /// Reads the run files of a folder. Empty if it has none. \throws Error on a damaged file
 Sample read_sample(const std::filesystem::path& folder);
 
-/// One number of a sample: a ratio of sums over pieces, NaN where it is undefined.
+/// One number of a sample: a quantity of stats.json over its pieces, or a mean over the rows of the series in them.
 struct Observable {
   std::string key;
   std::string meaning;
-  bool is_share;  ///< differences are absolute, not relative
-  double (*value)(const std::vector<const Piece*>& pieces);
+  bool is_share;                                    ///< differences are absolute, not relative
+  const postprocess::Quantity* quantity = nullptr;  ///< nullptr: the mean
+  double Piece::*rows = nullptr;                    ///< sum over the rows
+
+  /// NaN where it is undefined
+  double value(const std::vector<const Piece*>& pieces) const;
 };
 
 /// Everything that the study compares.

@@ -17,7 +17,12 @@ struct CensoredFit {
   double sigma = 0;          ///< standard error of it
   std::size_t complete = 0;  ///< values seen whole
   std::size_t censored = 0;
+  double exposure = 0;  ///< sum of ln(x/x_min), or of x - x_min, over whole and censored values
 };
+
+/// alpha of the law below from sums alone. \param complete number of whole values \param log_exposure sum of
+/// ln(x_i/x_min) over whole and censored ones
+double censored_exponent(double complete, double log_exposure);
 
 /// Power-law exponent for a given x_min with censored values: a whole value enters with the density
 /// p(x) = (alpha-1)/x_min (x/x_min)^-alpha, a censored one with the survival function

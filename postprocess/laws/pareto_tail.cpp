@@ -18,17 +18,13 @@ LawAt ParetoTail::law_at(const SortedSample& sample, std::size_t i) const {
   return {f, f};
 }
 
-double ParetoTail::rank(const SortedSample& sample, std::size_t i) const {
-  return static_cast<double>(i - first) / static_cast<double>(sample.size() - first);
-}
-
 double ParetoTail::deviation(const SortedSample& sample, std::size_t i, const LawAt& law) const {
-  return std::abs(law.at - rank(sample, i));
+  return std::abs(law.at - sample.share_before(first, i));
 }
 
 double ParetoTail::bound(const SortedSample& sample, std::size_t i, const LawAt& law_i, std::size_t j,
                          const LawAt& law_j) const {
-  return std::max(law_j.at - rank(sample, i + 1), rank(sample, j - 1) - law_i.at);
+  return std::max(law_j.at - sample.share_before(first, i + 1), sample.share_before(first, j - 1) - law_i.at);
 }
 
 double ParetoTail::sigma(const SortedSample& sample) const {

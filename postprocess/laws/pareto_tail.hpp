@@ -32,9 +32,6 @@ struct ParetoTail {
 
   /// Standard error of alpha: (alpha - 1)/sqrt(n), Eq. (3.2)
   double sigma(const SortedSample& sample) const;
-
-private:
-  double rank(const SortedSample& sample, std::size_t i) const;
 };
 
 /// Draws from the same law: the inverse of F.

@@ -27,6 +27,11 @@ RivalTest vuong(const std::vector<double>& difference, double rate) {
 
 }  // namespace
 
+const char* favoured(const RivalTest& test) {
+  if (test.p_value > 0.1) return "undecided";
+  return test.log_ratio > 0.0 ? "power law" : "exponential";
+}
+
 RivalTest power_law_against_exponential(const std::vector<Observation>& sample, double xmin) {
   const double alpha = fit_power_law_censored(sample, xmin).parameter;
   const double rate = fit_exponential_censored(sample, xmin).parameter;

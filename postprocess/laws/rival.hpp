@@ -15,6 +15,9 @@ struct RivalTest {
   double rate = 0;        ///< of the exponential [1/unit]
 };
 
+/// "power law" or "exponential"; "undecided" where the sign of R means nothing.
+const char* favoured(const RivalTest& test);
+
 /// Which law lies closer to the tail x >= x_min, each at its maximum likelihood, censored values
 /// through the survival functions. R > 0 favours the power law, R < 0 the exponential; with a large
 /// p-value (> 0.1) the sign means nothing.

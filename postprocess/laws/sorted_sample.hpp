@@ -38,6 +38,11 @@ public:
     return tail_sum_[first];
   }
 
+  /// Share of the tail from `first` on that lies before index i: its empirical distribution function.
+  double share_before(std::size_t first, std::size_t i) const {
+    return static_cast<double>(i - first) / static_cast<double>(size() - first);
+  }
+
   /// Index of the first value >= x.
   std::size_t lower_bound(double x) const;
 

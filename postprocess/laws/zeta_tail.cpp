@@ -72,8 +72,7 @@ LawAt ZetaTail::law_at(const SortedSample& sample, std::size_t k) const {
 
 double ZetaTail::share_below(const SortedSample& sample, std::size_t k) const {
   const auto& distinct = sample.distinct();
-  const std::size_t end = k < distinct.size() ? distinct[k] : sample.size();
-  return static_cast<double>(end - first) / static_cast<double>(sample.size() - first);
+  return sample.share_before(first, k < distinct.size() ? distinct[k] : sample.size());
 }
 
 double ZetaTail::deviation(const SortedSample& sample, std::size_t k, const LawAt& law) const {

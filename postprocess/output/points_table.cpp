@@ -1,7 +1,7 @@
 // Rows from the statistics; text is quoted, what is undefined stays empty.
 #include "postprocess/output/points_table.hpp"
 
-#include <initializer_list>
+#include <cmath>
 #include <vector>
 
 #include <fmt/format.h>
@@ -9,33 +9,37 @@
 namespace clogflow::postprocess {
 namespace {
 
-using nlohmann::json;
 using Row = std::vector<std::string>;
 
-std::string cell(const json& value) {
-  if (value.is_null()) return "";
-  if (value.is_string()) return fmt::format("\"{}\"", value.get<std::string>());
-  if (value.is_number_float()) return fmt::format("{}", value.get<double>());
-  return value.dump();
+std::string quoted(const std::string& text) { return fmt::format("\"{}\"", text); }
+
+std::string cell(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
+
+void add(Row& row, const Estimate& estimate) {
+  for (const double value : {estimate.value, estimate.low, estimate.high}) row.push_back(cell(value));
 }
 
-void add(Row& row, const json& of, std::initializer_list<const char*> keys) {
-  for (const char* key : keys) row.push_back(cell(of.at(key)));
+void add(Row& row, std::initializer_list<std::size_t> counts) {
+  for (const std::size_t count : counts) row.push_back(std::to_string(count));
 }
 
 std::string line(const Row& row) { return fmt::format("{}\n", fmt::join(row, ",")); }
 
-double simulated_time(const json& group) {
+double simulated_time(const RunGroup& group) {
   double time = 0;
-  for (const json& run : group.at("runs")) time += run.at("end").get<double>() - run.at("start").get<double>();
+  for (const SeedRecord& record : group.records) time += record.window.end - record.window.start;
   return time;
 }
 
-Row header(const json& trend) {
-  const std::string name = trend.at("variable").at("name");
+Row header(const Trend& trend) {
+  const std::string& key = trend.axis.key;
   Row row{"group", "label", "series",
-          fmt::format("{} [{}]", name.empty() ? "x" : name, trend.at("variable").at("unit").get<std::string>())};
-  for (const json& key : trend.at("keys")) row.push_back(key);
+          fmt::format("{} [{}]",
+                      trend.axis.neck_ratio ? "D/d"
+                      : key.empty()         ? "x"
+                                            : key,
+                      trend.axis.unit)};
+  row.insert(row.end(), trend.keys.begin(), trend.keys.end());
   for (const char* column : {"runs",
                              "simulated time [s]",
                              "bursts",
@@ -66,33 +70,31 @@ Row header(const json& trend) {
   return row;
 }
 
-Row row_of(const json& point, const json& group, const json& keys) {
-  const json& quantities = group.at("quantities");
-  Row row;
-  add(row, point, {"group"});
-  add(row, group, {"label"});
-  add(row, point, {"series", "x"});
-  for (const json& key : keys) row.push_back(cell(point.at("values").at(key)));
-  row.push_back(std::to_string(group.at("runs").size()));
+Row row_of(const TrendPoint& point, const RunGroup& group, const GroupStatistics& numbers) {
+  Row row{std::to_string(point.group), quoted(numbers.label), std::to_string(point.series), fmt::format("{}", point.x)};
+  for (const std::string& value : point.values) row.push_back(quoted(value));
+  add(row, {group.records.size()});
   row.push_back(fmt::format("{}", simulated_time(group)));
-  add(row, group.at("bursts"), {"counted", "cut_off", "first"});
-  add(row, quantities.at("mean_burst"), {"value", "low", "high"});
-  add(row, point.at("mean_burst"), {"value", "low", "high", "stops", "passages", "status"});
-  add(row, quantities.at("mean_burst_by_threshold"), {"value", "low", "high"});
-  add(row, point.at("alpha"), {"value", "low", "high", "ended", "cut", "status"});
-  add(row, quantities.at("share_failed"), {"value"});
-  add(row, quantities.at("flow_rate"), {"value"});
-  add(row, group.at("steady").at("packing_fraction"), {"value"});
+  add(row, {numbers.bursts.counted, numbers.bursts.cut_off, numbers.bursts.first});
+  add(row, numbers.of("mean_burst").whole);
+  add(row, point.mean_burst.known);
+  add(row, {point.stops, point.passages});
+  row.push_back(quoted(name(point.mean_burst.status)));
+  add(row, numbers.of("mean_burst_by_threshold").whole);
+  add(row, point.alpha.known);
+  add(row, {point.ended, point.cut});
+  row.push_back(quoted(name(point.alpha.status)));
+  for (const char* key : {"share_failed", "flow_rate"}) row.push_back(cell(numbers.of(key).whole.value));
+  row.push_back(cell(numbers.steady.packing_fraction.value));
   return row;
 }
 
 }  // namespace
 
-std::string points_table(const json& statistics) {
-  const json& trend = statistics.at("trend");
-  std::string text = line(header(trend));
-  for (const json& point : trend.at("points"))
-    text += line(row_of(point, statistics.at("groups").at(point.at("group").get<std::size_t>()), trend.at("keys")));
+std::string points_table(const Statistics& statistics) {
+  std::string text = line(header(statistics.trend));
+  for (const TrendPoint& point : statistics.trend.points)
+    text += line(row_of(point, statistics.groups[point.group], statistics.numbers[point.group]));
   return text;
 }
 

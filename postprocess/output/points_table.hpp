@@ -3,11 +3,10 @@
 
 #include <string>
 
-#include <nlohmann/json.hpp>
+#include "postprocess/summary/statistics.hpp"
 
 namespace clogflow::postprocess {
 
-/// \param statistics what stats.json holds, `trend` included
-std::string points_table(const nlohmann::json& statistics);
+std::string points_table(const Statistics& statistics);
 
 }  // namespace clogflow::postprocess

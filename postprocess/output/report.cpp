@@ -31,8 +31,18 @@ std::string last_line(const std::string& text) {
   return last;
 }
 
+constexpr int killed = 128;  // a larger status is this plus the signal that ended the program
+
+std::string how_it_failed(const ChildResult& child) {
+  const std::string said = last_line(child.output);
+  if (child.status <= killed) return said;
+  const int signal = child.status - killed;
+  return fmt::format("ended by signal {}, {}; last line: {}", signal, strsignal(signal), said);
+}
+
 void require_modules(const std::string& python) {
   const ChildResult check = run_program({python, "-c", "import numpy, h5py, matplotlib"});
+  require(check.status <= killed, "{}: cannot load the modules of the figures ({})", python, how_it_failed(check));
   require(check.status == 0,
           "{}: {} (figures need it): apt-get install python3-matplotlib python3-h5py, or set "
           "CLOG_PYTHON to an "
@@ -72,12 +82,6 @@ private:
   FilePart part_;
   fs::path path_;
 };
-
-std::string how_it_failed(const ChildResult& child) {
-  const std::string said = last_line(child.output);
-  if (child.status <= 128) return said;
-  return fmt::format("ended by signal {}, {}; last line: {}", child.status - 128, strsignal(child.status - 128), said);
-}
 
 /// Runs a script of the figures. \return the files that it wrote, in its order, under their final
 /// names

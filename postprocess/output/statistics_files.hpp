@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "postprocess/summary/group_statistics.hpp"
+#include "postprocess/summary/statistics.hpp"
 
 namespace clogflow::postprocess {
 
@@ -16,8 +16,8 @@ struct StatisticsJob {
   StatisticsRequest request;
 };
 
-/// Writes stats.json and the tables into `out`, which it creates. \return what stats.json holds
+/// Writes stats.json and the tables into `out`, which it creates. \return what they hold
 /// \throws Error as gather, or when a file cannot be written
-nlohmann::json write_statistics(const StatisticsJob& job);
+Statistics write_statistics(const StatisticsJob& job);
 
 }  // namespace clogflow::postprocess

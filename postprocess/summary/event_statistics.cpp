@@ -2,18 +2,11 @@
 #include "postprocess/summary/event_statistics.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "postprocess/laws/geometric_law.hpp"
-#include "postprocess/laws/survival_test.hpp"
-#include "postprocess/summary/fit_json.hpp"
-
 namespace clogflow::postprocess {
-
-using nlohmann::json;
 
 namespace {
 
@@ -43,17 +36,9 @@ std::vector<double> whole_lapses(const RunGroup& group) {
   return durations;
 }
 
-json burst_shape(const RunGroup& group, const StatisticsRequest& request) {
-  std::size_t first = 0, cut_off = 0;
-  for (const SeedRecord& record : group.records) {
-    for (const Burst& burst : record.bursts) {
-      first += burst.kind == BurstKind::first ? 1 : 0;
-      cut_off += burst.kind == BurstKind::cut_off ? 1 : 0;
-    }
-  }
-  const auto sizes = counted_burst_sizes(group);
-  json shape{{"counted", sizes.size()}, {"first", first}, {"cut_off", cut_off}};
-  if (sizes.empty()) return shape;
+namespace {
+
+BurstSpread spread_of(const std::vector<std::size_t>& sizes, std::uint64_t seed) {
   const auto n = static_cast<double>(sizes.size());
   double mean = 0, square = 0, small = 0;
   for (const std::size_t s : sizes) {
@@ -61,112 +46,110 @@ json burst_shape(const RunGroup& group, const StatisticsRequest& request) {
     square += static_cast<double>(s * s) / n;
     small += s <= 3 ? 1.0 / n : 0.0;
   }
-  const double deviation = std::sqrt(std::max(0.0, square - mean * mean));
-  shape["largest"] = *std::max_element(sizes.begin(), sizes.end());
-  shape["standard_deviation"] = deviation;
-  // A geometric law (memoryless stopping) has deviation sqrt(m (m - 1)) and this share of s <= 3.
-  shape["standard_deviation_geometric"] = std::sqrt(mean * (mean - 1.0));
-  shape["share_up_to_3"] = small;
-  shape["share_up_to_3_geometric"] = 1.0 - std::pow(1.0 - 1.0 / mean, 3);
-  const GeometricTest test = test_geometric(sizes, geometric_replicates, request.resampling.seed);
-  const bool ruled_out = test.p_value < ruled_out_below;
-  shape["geometric"] = {{"ks", test.ks},
-                        {"p_value", test.p_value},
-                        {"ruled_out", ruled_out},
-                        {"verdict", fmt::format("{} ({})", ruled_out ? "ruled out" : "not ruled out",
-                                                p_in_words(test.p_value, geometric_replicates))}};
+  BurstSpread spread;
+  spread.largest = *std::max_element(sizes.begin(), sizes.end());
+  spread.standard_deviation = std::sqrt(std::max(0.0, square - mean * mean));
+  spread.standard_deviation_geometric = std::sqrt(mean * (mean - 1.0));
+  spread.share_up_to_3 = small;
+  spread.share_up_to_3_geometric = 1.0 - std::pow(1.0 - 1.0 / mean, 3);
+  spread.geometric = test_geometric(sizes, geometric_replicates, seed);
+  const bool ruled_out = spread.geometric.p_value < ruled_out_below;
+  spread.verdict = {ruled_out, fmt::format("{} ({})", ruled_out ? "ruled out" : "not ruled out",
+                                           p_in_words(spread.geometric.p_value, geometric_replicates))};
+  return spread;
+}
+
+}  // namespace
+
+BurstShape burst_shape(const RunGroup& group, const StatisticsRequest& request) {
+  BurstShape shape;
+  for (const SeedRecord& record : group.records) {
+    for (const Burst& burst : record.bursts) {
+      shape.first += burst.kind == BurstKind::first ? 1 : 0;
+      shape.cut_off += burst.kind == BurstKind::cut_off ? 1 : 0;
+    }
+  }
+  const auto sizes = counted_burst_sizes(group);
+  shape.counted = sizes.size();
+  if (!sizes.empty()) shape.spread = spread_of(sizes, request.resampling.seed);
   return shape;
 }
 
 namespace {
 
-json fit_or_refusal(const std::vector<double>& lapses, const FitRequest& request, double tau) {
-  if (lapses.empty()) return {{"refused", "no lapse longer than 0"}};
+FitOrRefusal<TailFit> fit_or_refusal(const std::vector<double>& lapses, const FitRequest& request) {
+  if (lapses.empty()) return Refusal{"no lapse longer than 0"};
   const SortedSample sample(lapses, Values::continuous);
-  const std::string why_not = obstacle(sample, request.xmin);
-  if (!why_not.empty()) return {{"refused", why_not}};
-  json fit = fit_as_json(sample, request);
-  fit["xmin_over_tau"] = fit["xmin"].get<double>() / tau;
-  return fit;
+  if (const std::string why_not = obstacle(sample, request.xmin); !why_not.empty()) return Refusal{why_not};
+  return fit_tail(sample, request);
 }
 
-/// Whether the law meets the survival function of the arrests that it was fitted to, in words too.
-json held_against_survival(const std::vector<Observation>& arrests, const ClogScale& scale,
-                           const StatisticsRequest& request) {
-  const SurvivalTest test =
-      test_survival(arrests, scale.threshold, request.p_value_replicates, request.resampling.seed);
+Verdict verdict_on(const SurvivalTest& test, std::size_t replicates, double tau) {
   const std::string miss =
       fmt::format("misses the survival curve of the arrests by up to {:.1f} standard errors, most at {:.3g} tau",
-                  test.standard_errors, test.at / scale.tau);
-  json result{{"ks", test.ks}, {"largest_miss_at", test.at}, {"standard_errors", test.standard_errors}};
-  if (request.p_value_replicates == 0) {
-    result["verdict"] = "not tested: " + miss;
-    return result;
-  }
-  const std::string p = p_in_words(test.p_value, request.p_value_replicates);
-  const bool ruled_out = test.p_value < ruled_out_below;
-  result["p_value"] = test.p_value;
-  result["p_value_error"] = test.p_error;
-  result["p_value_replicates"] = request.p_value_replicates;
-  result["ruled_out"] = ruled_out;
-  result["verdict"] =
-      ruled_out ? fmt::format("power law ruled out ({}): {}", p, miss) : fmt::format("power law not ruled out ({})", p);
-  return result;
+                  test.standard_errors, test.at / tau);
+  if (replicates == 0) return {false, "not tested: " + miss};
+  const std::string p = p_in_words(test.p_value, replicates);
+  if (test.p_value < ruled_out_below) return {true, fmt::format("power law ruled out ({}): {}", p, miss)};
+  return {false, fmt::format("power law not ruled out ({})", p)};
 }
 
-json censored_fits(const RunGroup& group, const StatisticsRequest& request) {
+FitOrRefusal<ArrestFit> censored_fit(const RunGroup& group, const StatisticsRequest& request) {
+  const auto [tau, threshold] = group.scale;
   std::vector<Observation> arrests;
   bool has_whole = false;
   for (const SeedRecord& record : group.records) {
-    for (const Lapse& lapse : arrests_of(record.lapses, group.scale.threshold)) {
+    for (const Lapse& lapse : arrests_of(record.lapses, threshold)) {
       arrests.push_back(as_observation(lapse));
-      has_whole |= !arrests.back().censored && lapse.duration > group.scale.threshold;
+      has_whole |= !arrests.back().censored && lapse.duration > threshold;
     }
   }
-  if (!has_whole) return {{"refused", "no arrest that ended with a passage"}};
-  const CensoredFit fit = fit_power_law_censored(arrests, group.scale.threshold);
-  json result{{"alpha", fit.parameter},
-              {"sigma", fit.sigma},
-              {"n_complete", fit.complete},
-              {"n_censored", fit.censored},
-              {"exponential", as_json(power_law_against_exponential(arrests, group.scale.threshold))}};
-  result.update(held_against_survival(arrests, group.scale, request));
-  return result;
+  if (!has_whole) return Refusal{"no arrest that ended with a passage"};
+  const std::size_t replicates = request.p_value_replicates;
+  const SurvivalTest survival = test_survival(arrests, threshold, replicates, request.resampling.seed);
+  return ArrestFit{.law = fit_power_law_censored(arrests, threshold),
+                   .exponential = power_law_against_exponential(arrests, threshold),
+                   .survival = survival,
+                   .p_value_replicates = replicates,
+                   .verdict = verdict_on(survival, replicates, tau)};
+}
+
+void count(CountsByEnd& counts, LapseEnd end) {
+  switch (end) {
+    case LapseEnd::passage:
+      ++counts.passage;
+      break;
+    case LapseEnd::release:
+      ++counts.release;
+      break;
+    case LapseEnd::run:
+      ++counts.end_of_run;
+      break;
+  }
 }
 
 }  // namespace
 
-json lapse_counts(const RunGroup& group) {
-  std::size_t zero = 0;
-  double longest = 0;
-  std::array<std::size_t, 3> lapses{}, arrests{};
+LapseCounts lapse_counts(const RunGroup& group) {
+  LapseCounts counts;
   for (const SeedRecord& record : group.records) {
     for (const Lapse& lapse : record.lapses) {
-      const auto end = static_cast<std::size_t>(lapse.end);
-      ++lapses[end];
-      arrests[end] += lapse.duration >= group.scale.threshold ? 1 : 0;
-      zero += lapse.duration == 0 ? 1 : 0;
-      longest = std::max(longest, lapse.duration);
+      count(counts.lapses, lapse.end);
+      if (lapse.duration >= group.scale.threshold) count(counts.arrests, lapse.end);
+      counts.zero += lapse.duration == 0 ? 1 : 0;
+      counts.longest = std::max(counts.longest, lapse.duration);
     }
   }
-  const auto by_end = [](const std::array<std::size_t, 3>& n) {
-    return json{{"ended_by_passage", n[0]}, {"ended_by_release", n[1]}, {"ended_by_end_of_run", n[2]}};
-  };
-  json counts{{"lapses", by_end(lapses)}, {"arrests", by_end(arrests)}, {"longest", longest}};
-  counts["lapses"]["zero"] = zero;
   return counts;
 }
 
-json power_laws(const RunGroup& group, const StatisticsRequest& request) {
+PowerLaws power_laws(const RunGroup& group, const StatisticsRequest& request) {
   std::vector<double> lapses = whole_lapses(group);
   std::erase(lapses, 0.0);
-  FitRequest fit{.xmin = {}, .p_value = {}, .seed = request.resampling.seed};
-  if (request.p_value_replicates > 0) fit.p_value = request.p_value_replicates;
+  FitRequest fit{.xmin = {}, .p_value_replicates = request.p_value_replicates, .seed = request.resampling.seed};
   FitRequest fixed = fit;
   fixed.xmin = group.scale.threshold;
-  return {{"free", fit_or_refusal(lapses, fit, group.scale.tau)},
-          {"fixed", fit_or_refusal(lapses, fixed, group.scale.tau)},
-          {"fixed_censored", censored_fits(group, request)}};
+  return {fit_or_refusal(lapses, fit), fit_or_refusal(lapses, fixed), censored_fit(group, request)};
 }
 
 }  // namespace clogflow::postprocess

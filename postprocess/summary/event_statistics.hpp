@@ -1,14 +1,16 @@
-// What the bursts and lapses of one ensemble say, as JSON; keys are documented in
-// postprocess/README.md.
+// What the bursts and lapses of one ensemble say.
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <string>
 #include <vector>
-
-#include <nlohmann/json.hpp>
 
 #include "postprocess/events/run_groups.hpp"
 #include "postprocess/laws/confidence.hpp"
+#include "postprocess/laws/geometric_law.hpp"
+#include "postprocess/laws/survival_test.hpp"
+#include "postprocess/laws/tail_fit.hpp"
 
 namespace clogflow::postprocess {
 
@@ -24,13 +26,57 @@ std::vector<std::size_t> counted_burst_sizes(const RunGroup& group);
 /// Lapses that a passage ended [s].
 std::vector<double> whole_lapses(const RunGroup& group);
 
-/// Spread and share of small bursts, beside those of a geometric law; whether they have that law.
-nlohmann::json burst_shape(const RunGroup& group, const StatisticsRequest& request);
+/// Whether a tested law is ruled out, and the same in words.
+struct Verdict {
+  bool ruled_out = false;
+  std::string words;
+};
 
-/// How many lapses and arrests a passage, a release or the end of the run ended; the longest.
-nlohmann::json lapse_counts(const RunGroup& group);
+/// Spread and share of small bursts, beside those of a geometric law (memoryless stopping) of the same mean.
+struct BurstSpread {
+  std::size_t largest = 0;
+  double standard_deviation = 0, standard_deviation_geometric = 0;
+  double share_up_to_3 = 0, share_up_to_3_geometric = 0;
+  GeometricTest geometric;
+  Verdict verdict;  ///< on the geometric law
+};
 
-/// `free`, `fixed` and `fixed_censored`; each a fit, or {"refused": why}.
-nlohmann::json power_laws(const RunGroup& group, const StatisticsRequest& request);
+struct BurstShape {
+  std::size_t counted = 0;  ///< behind the mean
+  std::size_t first = 0, cut_off = 0;
+  std::optional<BurstSpread> spread;  ///< absent where no burst counts
+};
+
+BurstShape burst_shape(const RunGroup& group, const StatisticsRequest& request);
+
+/// How many a passage, a release or the end of the run ended.
+struct CountsByEnd {
+  std::size_t passage = 0, release = 0, end_of_run = 0;
+};
+
+struct LapseCounts {
+  CountsByEnd lapses, arrests;
+  std::size_t zero = 0;  ///< lapses of two passages in one step
+  double longest = 0;    ///< [s]
+};
+
+LapseCounts lapse_counts(const RunGroup& group);
+
+/// Power law of the arrests, those that were cut included, held against their survival function.
+struct ArrestFit {
+  CensoredFit law;
+  RivalTest exponential;
+  SurvivalTest survival;
+  std::size_t p_value_replicates = 0;  ///< 0: not tested, only the words hold
+  Verdict verdict;                     ///< on the power law
+};
+
+/// Of the lapses: x_min scanned, x_min = T_min, and that with censored arrests.
+struct PowerLaws {
+  FitOrRefusal<TailFit> free, fixed;
+  FitOrRefusal<ArrestFit> fixed_censored;
+};
+
+PowerLaws power_laws(const RunGroup& group, const StatisticsRequest& request);
 
 }  // namespace clogflow::postprocess

@@ -1,13 +1,49 @@
-// All numbers of one ensemble as JSON; keys are documented in postprocess/README.md.
+// All numbers of one ensemble.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "postprocess/events/run_groups.hpp"
 #include "postprocess/summary/event_statistics.hpp"
+#include "postprocess/summary/quantities.hpp"
 
 namespace clogflow::postprocess {
 
-nlohmann::json group_statistics(const RunGroup& group, const StatisticsRequest& request);
+/// A quantity in the two halves of the runs.
+struct Ageing {
+  Estimate first_half, second_half;
+  Estimate change;           ///< second minus first
+  std::optional<bool> ages;  ///< whether the interval of the change excludes 0; absent without an interval
+};
+
+struct QuantityStatistics {
+  const Quantity* quantity = nullptr;
+  Estimate whole;
+  std::optional<Ageing> halves;  ///< absent for what only the end of a run shows
+};
+
+/// Means over the second half of the windows.
+struct SteadyStatistics {
+  Estimate particles, packing_fraction;
+  std::vector<Estimate> porosity;  ///< one a strip
+};
+
+struct GroupStatistics {
+  std::string label;                           ///< what tells it from the other ensembles
+  std::vector<QuantityStatistics> quantities;  ///< in the order of the table of quantities
+  BurstShape bursts;
+  LapseCounts lapses;
+  PowerLaws power_laws;
+  SteadyStatistics steady;
+  std::vector<std::string> notes;  ///< what a reader must know of these runs
+
+  /// \param key of the table of quantities
+  const QuantityStatistics& of(const std::string& key) const;
+};
+
+/// Without a label, which depends on the other ensembles.
+GroupStatistics group_statistics(const RunGroup& group, const StatisticsRequest& request);
 
 }  // namespace clogflow::postprocess

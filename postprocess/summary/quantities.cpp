@@ -1,9 +1,11 @@
 // The table of quantities, and their estimates.
 #include "postprocess/summary/quantities.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "postprocess/laws/censored.hpp"
 #include "postprocess/laws/counting_interval.hpp"
 
 namespace clogflow::postprocess {
@@ -31,8 +33,10 @@ Estimate rate(double events, double exposure, double level) {
 
 double ended(const Totals& t) { return t.arrests - t.censored; }
 
+double exponent(const Totals& t) { return ended(t) > 0 ? censored_exponent(ended(t), t.log_exposure) : undefined; }
+
 /// Arrests that were all cut leave an upper bound.
-Estimate exponent(const Totals& t, double level) {
+Estimate exponent_from_counts(const Totals& t, double level) {
   const Estimate above_one = rate(ended(t), t.log_exposure, level);
   if (ended(t) == 0) return {undefined, undefined, 1.0 + above_one.high};
   return {1.0 + above_one.value, 1.0 + above_one.low, 1.0 + above_one.high};
@@ -70,21 +74,14 @@ const std::vector<Quantity> table{
     {"share_clogged", "1", "share of the time spent in lapses of T_min and more", "no time",
      [](const Totals& t) { return t.clogged_time / t.time; }, nullptr},
     {"alpha_fixed", "1", "power-law exponent of T >= T_min, censored arrests included",
-     "no arrest that a passage ended",
-     [](const Totals& t) { return ended(t) > 0 ? 1.0 + ended(t) / t.log_exposure : undefined; }, exponent},
+     "no arrest that a passage ended", exponent, exponent_from_counts},
     {"share_censored", "1", "share of the arrests that a release or the end of the run cut", "no arrest",
      [](const Totals& t) { return t.censored / t.arrests; },
      [](const Totals& t, double level) { return share(t.censored, t.arrests, level); }},
     {"share_permanent", "1", "share of the seeds that end in a clog of 5 tau or more", "no seed",
      [](const Totals& t) { return t.permanent / t.seeds; },
-     [](const Totals& t, double level) { return share(t.permanent, t.seeds, level); }},
+     [](const Totals& t, double level) { return share(t.permanent, t.seeds, level); }, ShownBy::end_of_run},
 };
-
-Totals sum_of(const std::vector<Totals>& seeds) {
-  Totals sum;
-  for (const Totals& each : seeds) sum = sum + each;
-  return sum;
-}
 
 Estimate from_counts(const Quantity& quantity, const Totals& sum, double level) {
   return quantity.counted ? quantity.counted(sum, level) : Estimate{undefined, undefined, undefined};
@@ -93,6 +90,11 @@ Estimate from_counts(const Quantity& quantity, const Totals& sum, double level) 
 }  // namespace
 
 const std::vector<Quantity>& quantities() { return table; }
+
+const Quantity* find_quantity(const std::string& key) {
+  const auto found = std::ranges::find(table, key, &Quantity::key);
+  return found == table.end() ? nullptr : &*found;
+}
 
 Estimate estimate(const Quantity& quantity, const std::vector<Totals>& seeds, const Resampling& resampling) {
   Estimate known = bootstrap_over_seeds(

@@ -11,6 +11,11 @@
 
 namespace clogflow::postprocess {
 
+enum class ShownBy {
+  any_part,    ///< of a run: it can be compared between the halves
+  end_of_run,  ///< alone
+};
+
 /// One number of an ensemble: a ratio of totals, NaN where they do not define it.
 struct Quantity {
   std::string key;
@@ -21,10 +26,14 @@ struct Quantity {
   /// What the counts alone say, as if events were independent; nullptr where nothing is counted.
   /// For an undefined value its bound, on one side.
   Estimate (*counted)(const Totals&, double level);
+  ShownBy shown_by = ShownBy::any_part;
 };
 
 /// Everything that stats.json gives with an interval, in this order.
 const std::vector<Quantity>& quantities();
+
+/// The one with this key, or nullptr.
+const Quantity* find_quantity(const std::string& key);
 
 /// Value of a quantity over an ensemble with its interval from resampled seeds. Where these all
 /// give the same, which is no certainty, the interval is the exact one of the counts, if they have

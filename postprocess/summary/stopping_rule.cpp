@@ -21,12 +21,6 @@ constexpr Count counts[] = {{"bursts", &Totals::bursts},
                             {"passages", &Totals::passages},
                             {"releases", &Totals::releases}};
 
-const Quantity* find_quantity(const std::string& key) {
-  const auto& all = quantities();
-  const auto found = std::ranges::find(all, key, &Quantity::key);
-  return found == all.end() ? nullptr : &*found;
-}
-
 std::string names_of_quantities() {
   std::vector<std::string> names;
   for (const Quantity& quantity : quantities()) names.push_back(quantity.key);
@@ -41,18 +35,10 @@ double parse_bound(const std::string& text, const std::string& rule) {
   return bound;
 }
 
-Totals sum_of(const std::vector<Totals>& seeds) {
-  Totals sum;
-  for (const Totals& each : seeds) sum = sum + each;
-  return sum;
-}
-
 /// How well the counts alone can be known, however alike the seeds happen to be.
-Estimate from_counts(const std::string& key, const Totals& sum, double level) {
-  const bool all = key == "mean_burst_memoryless";
-  if (!all && key != "mean_burst") return {NAN, NAN, NAN};
-  return mean_burst_from_counts(static_cast<std::size_t>(all ? all_stops(sum) : sum.bursts),
-                                static_cast<std::size_t>(all ? all_escaped(sum) : sum.escaped), level);
+Estimate from_counts(const Quantity& quantity, const Totals& sum, double level) {
+  const bool has_bound = quantity.key == "mean_burst" || quantity.key == "mean_burst_memoryless";
+  return has_bound ? quantity.counted(sum, level) : Estimate{NAN, NAN, NAN};
 }
 
 }  // namespace
@@ -83,7 +69,7 @@ double StoppingRule::value(const std::vector<Totals>& seeds) const {
   if (seeds.size() < fewest_seeds) return std::numeric_limits<double>::quiet_NaN();
   const Resampling resampling;
   const Estimate interval =
-      wider(estimate(*quantity_, seeds, resampling), from_counts(quantity_->key, sum_of(seeds), resampling.level));
+      wider(estimate(*quantity_, seeds, resampling), from_counts(*quantity_, sum_of(seeds), resampling.level));
   return 0.5 * (interval.high - interval.low) / std::abs(interval.value);
 }
 

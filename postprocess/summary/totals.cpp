@@ -84,6 +84,12 @@ Totals operator+(const Totals& a, const Totals& b) {
   return sum;
 }
 
+Totals sum_of(const std::vector<Totals>& parts) {
+  Totals sum;
+  for (const Totals& each : parts) sum = sum + each;
+  return sum;
+}
+
 double all_stops(const Totals& t) { return t.bursts + t.first_bursts; }
 
 double all_escaped(const Totals& t) { return t.escaped + t.cut_off_escaped + t.first_escaped; }

@@ -49,4 +49,6 @@ double all_escaped(const Totals& totals);
 
 Totals operator+(const Totals& a, const Totals& b);
 
+Totals sum_of(const std::vector<Totals>& parts);
+
 }  // namespace clogflow::postprocess

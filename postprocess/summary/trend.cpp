@@ -9,190 +9,171 @@
 #include <boost/math/distributions/normal.hpp>
 
 #include "coupling/base/require.hpp"
-#include "postprocess/events/sweep_axis.hpp"
 #include "postprocess/laws/counting_interval.hpp"
-#include "postprocess/laws/weighted_line.hpp"
-#include "postprocess/summary/fit_json.hpp"
+#include "postprocess/summary/quantities.hpp"
 #include "postprocess/summary/totals.hpp"
 
 namespace clogflow::postprocess {
 namespace {
 
-using nlohmann::json;
-
 constexpr double level = Resampling{}.level;
 
-double or_nan(const json& value) {
-  return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
+/// Wider of the interval over seeds and the exact one of the counts.
+Estimate widest(const QuantityStatistics& over_seeds, const Totals& totals) {
+  return wider(over_seeds.quantity->counted(totals, level), over_seeds.whole);
 }
 
-Estimate over_seeds(const json& numbers, const char* quantity) {
-  const json& q = numbers.at("quantities").at(quantity);
-  return {or_nan(q.at("value")), or_nan(q.at("low")), or_nan(q.at("high"))};
+void add_mean_burst(TrendPoint& point, const Totals& totals, const GroupStatistics& numbers) {
+  const QuantityStatistics& memoryless = numbers.of("mean_burst_memoryless");
+  point.stops = static_cast<std::size_t>(all_stops(totals));
+  point.passages = static_cast<std::size_t>(all_escaped(totals));
+  if (point.stops > 0) {
+    point.mean_burst = {widest(memoryless, totals), PointStatus::measured};
+  } else {
+    point.mean_burst = {memoryless.quantity->counted(totals, level),
+                        point.passages > 0 ? PointStatus::lower_bound : PointStatus::no_passage};
+  }
 }
 
-json mean_burst(const Totals& totals, const json& numbers) {
-  const auto stops = static_cast<std::size_t>(all_stops(totals));
-  const auto passages = static_cast<std::size_t>(all_escaped(totals));
-  Estimate mean = mean_burst_from_counts(stops, passages, level);
-  if (stops > 0) mean = wider(mean, over_seeds(numbers, "mean_burst_memoryless"));
-  json entry = as_json(mean);
-  entry["stops"] = stops;
-  entry["passages"] = passages;
-  entry["status"] = stops > 0 ? "measured" : passages > 0 ? "lower bound" : "no passage";
-  return entry;
-}
-
-json exponent(const RunGroup& group, const Totals& totals, const json& numbers) {
-  const auto ended = static_cast<std::size_t>(totals.arrests - totals.censored);
-  Estimate alpha = rate_from_counts(ended, totals.log_exposure, level);
-  for (double* side : {&alpha.value, &alpha.low, &alpha.high}) *side += 1.0;
-  if (ended > 0) alpha = wider(alpha, over_seeds(numbers, "alpha_fixed"));
-  if (ended == 0) alpha.value = alpha.low = std::numeric_limits<double>::quiet_NaN();
-  const bool by_release = group.scene.unclog.protocol == UnclogProtocol::release;
-  json entry = as_json(alpha);
-  entry["ended"] = ended;
-  entry["cut"] = static_cast<std::size_t>(totals.censored);
-  entry["status"] = totals.arrests == 0 ? "no arrest"
-                    : ended == 0        ? "upper bound"
-                    : by_release        ? "cut by releases"
-                                        : "measured";
-  return entry;
+void add_exponent(TrendPoint& point, const RunGroup& group, const Totals& totals, const GroupStatistics& numbers) {
+  const QuantityStatistics& alpha = numbers.of("alpha_fixed");
+  point.ended = static_cast<std::size_t>(totals.arrests - totals.censored);
+  point.cut = static_cast<std::size_t>(totals.censored);
+  if (point.ended == 0) {
+    point.alpha = {alpha.quantity->counted(totals, level),
+                   point.cut > 0 ? PointStatus::upper_bound : PointStatus::no_arrest};
+  } else {
+    const bool by_release = group.scene.unclog.protocol == UnclogProtocol::release;
+    point.alpha = {widest(alpha, totals), by_release ? PointStatus::cut_by_releases : PointStatus::measured};
+  }
 }
 
 /// One number along a series: where it lies in a point, and against what its logarithm is fitted.
 struct Law {
-  const char* quantity;
-  std::string variable;
+  PointNumber TrendPoint::*quantity;
+  std::string x;
   std::function<double(double)> transform;
 };
 
-double logarithm_error(const json& entry) {
+double logarithm_error(const Estimate& known) {
   const double reach = 2 * quantile(boost::math::normal(), 0.5 * (1 + level));
-  return std::log(entry.at("high").get<double>() / entry.at("low").get<double>()) / reach;
+  return std::log(known.high / known.low) / reach;
 }
 
-bool is_measured(const json& entry) {
-  return entry.at("status") == "measured" && !entry.at("low").is_null() && !entry.at("high").is_null();
+bool is_measured(const PointNumber& number) {
+  return number.status == PointStatus::measured && std::isfinite(number.known.low) && std::isfinite(number.known.high);
 }
 
-std::vector<LinePoint> line_points(const std::vector<json>& points, const Law& law) {
+std::vector<LinePoint> line_points(const std::vector<TrendPoint>& points, const Law& law) {
   std::vector<LinePoint> line;
-  for (const json& point : points) {
-    const json& entry = point.at(law.quantity);
-    if (is_measured(entry))
-      line.push_back({law.transform(point.at("x").get<double>()), std::log(entry.at("value").get<double>()),
-                      logarithm_error(entry)});
+  for (const TrendPoint& point : points) {
+    const PointNumber& number = point.*law.quantity;
+    if (is_measured(number))
+      line.push_back({law.transform(point.x), std::log(number.known.value), logarithm_error(number.known)});
   }
   return line;
 }
 
-/// What was not fitted, and whether the law respects the bound.
-json left_out(const std::vector<json>& points, const Law& law, const WeightedLine& line) {
-  json all = json::array();
-  for (const json& point : points) {
-    const json& entry = point.at(law.quantity);
-    if (is_measured(entry)) continue;
-    json out{{"group", point.at("group")}, {"status", entry.at("status")}};
-    const double x = law.transform(point.at("x").get<double>());
-    const double fitted = std::exp(line.intercept.value + line.slope.value * x);
-    out["law"] = number_or_null(fitted);
-    if (entry.at("status") == "lower bound") out["agrees"] = fitted >= entry.at("low").get<double>();
-    if (entry.at("status") == "upper bound") out["agrees"] = fitted <= entry.at("high").get<double>();
-    all.push_back(out);
+std::vector<LeftOut> left_out(const std::vector<TrendPoint>& points, const Law& law, const WeightedLine& line) {
+  std::vector<LeftOut> all;
+  for (const TrendPoint& point : points) {
+    const auto& [known, status] = point.*law.quantity;
+    if (is_measured(point.*law.quantity)) continue;
+    const double fitted = std::exp(line.intercept.value + line.slope.value * law.transform(point.x));
+    all.push_back({point.group, status, fitted, {}});
+    if (status == PointStatus::lower_bound) all.back().agrees = fitted >= known.low;
+    if (status == PointStatus::upper_bound) all.back().agrees = fitted <= known.high;
   }
   return all;
 }
 
-json fit(const std::vector<json>& points, const Law& law) {
+SweepLaw fit(const std::vector<TrendPoint>& points, const Law& law) {
   const auto measured = line_points(points, law);
-  json result{{"law", fmt::format("{} = A exp(b x)", law.quantity)}, {"x", law.variable}, {"points", measured.size()}};
+  SweepLaw fitted{.x = law.x, .points = measured.size(), .line = {}, .refused = {}, .left_out = {}};
   try {
-    const WeightedLine line = fit_line(measured, level);
-    result.update({{"b", as_json(line.slope)},
-                   {"ln_A", as_json(line.intercept)},
-                   {"chi_squared", line.chi_squared},
-                   {"degrees_of_freedom", line.degrees_of_freedom},
-                   {"p_value", line.p_value},
-                   {"extra_scatter", line.extra_scatter},
-                   {"left_out", left_out(points, law, line)}});
+    fitted.line = fit_line(measured, level);
+    fitted.left_out = left_out(points, law, *fitted.line);
   } catch (const Error& error) {
-    result["refused"] = error.what();
+    fitted.refused = error.what();
   }
-  return result;
+  return fitted;
 }
+
+double same(double x) { return x; }
+double squared(double x) { return x * x; }
+double cubed(double x) { return x * x * x; }
+double logarithm(double x) { return std::log(x); }
 
 /// <s> against other powers of D/d, and as a power law of it: is the third power the straightest?
-json rivals(const std::vector<json>& points) {
-  json all = json::array();
-  for (const Law& law : {Law{"mean_burst", "D/d", [](double x) { return x; }},
-                         Law{"mean_burst", "(D/d)^2", [](double x) { return x * x; }},
-                         Law{"mean_burst", "(D/d)^3", [](double x) { return x * x * x; }},
-                         Law{"mean_burst", "ln(D/d)", [](double x) { return std::log(x); }}}) {
-    const json fitted = fit(points, law);
-    if (!fitted.contains("refused"))
-      all.push_back({{"x", law.variable},
-                     {"b", fitted.at("b")},
-                     {"chi_squared", fitted.at("chi_squared")},
-                     {"extra_scatter", fitted.at("extra_scatter")}});
+std::vector<SweepLaw> rivals(const std::vector<TrendPoint>& points) {
+  std::vector<SweepLaw> all;
+  for (const Law& law :
+       {Law{&TrendPoint::mean_burst, "D/d", same}, Law{&TrendPoint::mean_burst, "(D/d)^2", squared},
+        Law{&TrendPoint::mean_burst, "(D/d)^3", cubed}, Law{&TrendPoint::mean_burst, "ln(D/d)", logarithm}}) {
+    SweepLaw fitted = fit(points, law);
+    if (fitted.line) all.push_back(std::move(fitted));
   }
   return all;
 }
 
-json fits(const std::vector<json>& points, const SweepAxis& axis) {
+void add_laws(TrendSeries& series, const std::vector<TrendPoint>& points, const SweepAxis& axis) {
   if (!axis.numeric) {
-    const json none{{"refused", axis.key + " is no number"}};
-    return {{"mean_burst", none}, {"alpha", none}};
+    series.mean_burst.refused = series.alpha.refused = axis.key + " is no number";
+  } else if (axis.neck_ratio) {
+    series.mean_burst = fit(points, {&TrendPoint::mean_burst, "(D/d)^3", cubed});
+    series.alpha = fit(points, {&TrendPoint::alpha, "D/d", same});
+    series.rivals = rivals(points);
+  } else {
+    series.mean_burst = fit(points, {&TrendPoint::mean_burst, axis.key, same});
+    series.alpha = fit(points, {&TrendPoint::alpha, axis.key, same});
   }
-  const auto same = [](double x) { return x; };
-  const auto cubed = [](double x) { return x * x * x; };
-  const Law size = axis.neck_ratio ? Law{"mean_burst", "(D/d)^3", cubed} : Law{"mean_burst", axis.key, same};
-  json both{{"mean_burst", fit(points, size)},
-            {"alpha", fit(points, {"alpha", axis.neck_ratio ? "D/d" : axis.key, same})}};
-  if (axis.neck_ratio) both["mean_burst"]["rivals"] = rivals(points);
-  return both;
 }
 
 }  // namespace
 
-json trend(const std::vector<RunGroup>& groups, const std::vector<json>& numbers) {
-  const auto chosen = chosen_keys(groups);
-  const SweepAxis axis = sweep_axis(groups, chosen);
-  const auto x = axis_values(groups, axis);
-  const auto labels = series_labels(groups, axis, chosen);
-  json result{{"keys", chosen},
-              {"variable",
-               {{"key", axis.key},
-                {"name", axis.neck_ratio ? "D/d" : axis.key},
-                {"unit", axis.unit},
-                {"numeric", axis.numeric}}},
-              {"points", json::array()},
-              {"series", json::array()}};
-  std::vector<std::string> series;
-  std::vector<std::vector<json>> members;
+const char* name(PointStatus status) {
+  switch (status) {
+    case PointStatus::measured:
+      return "measured";
+    case PointStatus::lower_bound:
+      return "lower bound";
+    case PointStatus::upper_bound:
+      return "upper bound";
+    case PointStatus::cut_by_releases:
+      return "cut by releases";
+    case PointStatus::no_passage:
+      return "no passage";
+    case PointStatus::no_arrest:
+      return "no arrest";
+  }
+  return "";
+}
+
+Trend trend(const std::vector<RunGroup>& groups, const std::vector<GroupStatistics>& numbers) {
+  Trend result;
+  result.keys = chosen_keys(groups);
+  result.axis = sweep_axis(groups, result.keys);
+  const auto x = axis_values(groups, result.axis);
+  const auto labels = series_labels(groups, result.axis, result.keys);
+  std::vector<std::vector<TrendPoint>> members;
   for (std::size_t i = 0; i < groups.size(); ++i) {
-    const auto known = std::find(series.begin(), series.end(), labels[i]);
-    const auto index = static_cast<std::size_t>(known - series.begin());
-    if (known == series.end()) {
-      series.push_back(labels[i]);
+    const auto known = std::ranges::find(result.series, labels[i], &TrendSeries::label);
+    TrendPoint point;
+    point.group = i;
+    point.series = static_cast<std::size_t>(known - result.series.begin());
+    point.x = x[i];
+    if (known == result.series.end()) {
+      result.series.emplace_back().label = labels[i];
       members.emplace_back();
     }
-    json values = json::object();
-    for (const std::string& key : chosen) values[key] = key_value(groups[i].lines, key).text;
+    for (const std::string& key : result.keys) point.values.push_back(key_value(groups[i].lines, key).text);
     const Totals totals = totals_of(groups[i].records, groups[i].scale);
-    members[index].push_back({{"group", i},
-                              {"series", index},
-                              {"x", x[i]},
-                              {"values", values},
-                              {"mean_burst", mean_burst(totals, numbers[i])},
-                              {"alpha", exponent(groups[i], totals, numbers[i])}});
-    result["points"].push_back(members[index].back());
+    add_mean_burst(point, totals, numbers[i]);
+    add_exponent(point, groups[i], totals, numbers[i]);
+    members[point.series].push_back(point);
+    result.points.push_back(std::move(point));
   }
-  for (std::size_t k = 0; k < series.size(); ++k) {
-    json entry = fits(members[k], axis);
-    entry["label"] = series[k];
-    result["series"].push_back(entry);
-  }
+  for (std::size_t k = 0; k < result.series.size(); ++k) add_laws(result.series[k], members[k], result.axis);
   return result;
 }
 

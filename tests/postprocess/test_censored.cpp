@@ -20,6 +20,7 @@ TEST(Censored, power_law_by_hand) {
   EXPECT_NEAR(fit.sigma, 0.4808983469629878 / std::sqrt(2.0), 1e-14);
   EXPECT_EQ(fit.complete, 2U);
   EXPECT_EQ(fit.censored, 1U);
+  EXPECT_EQ(censored_exponent(2, fit.exposure), fit.parameter);
 }
 
 // Two whole values 1 and 2 and one censored at 3 beyond x_min = 1: rate = 2/(0 + 1 + 2).

@@ -8,6 +8,7 @@
 #include <set>
 
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
 #include "coupling/base/child_process.hpp"
 #include "postprocess/output/report.hpp"
@@ -215,6 +216,15 @@ TEST_F(Report, a_missing_module_is_named) {
                              interpreter("echo \"ModuleNotFoundError: No module named 'h5py'\" >&2\nexit 1"));
   EXPECT_THAT(refusal([&] { make_report(here_, here_); }),
               AllOf(HasSubstr("No module named 'h5py'"), HasSubstr("apt-get install python3-matplotlib python3-h5py")));
+}
+
+TEST_F(Report, an_interpreter_that_is_killed_is_no_missing_module) {
+  const Environment override("CLOG_PYTHON", interpreter("kill -9 $$"));
+  EXPECT_THAT(
+      refusal([&] { make_report(here_, here_); }),
+      AllOf(HasSubstr("python3: cannot load the modules of the figures (ended by signal 9, Killed; last line: no "
+                      "output)"),
+            Not(HasSubstr("apt-get"))));
 }
 
 TEST_F(Report, a_missing_interpreter_or_script_is_named) {

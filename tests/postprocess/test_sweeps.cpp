@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
 #include "postprocess/output/statistics_files.hpp"
 #include "tests/postprocess/synthetic_ensemble.hpp"
@@ -45,7 +46,8 @@ protected:
     StatisticsJob job{.folders = {root()}, .out = out_.path(), .threshold = {}, .request = {}};
     job.request.p_value_replicates = 0;
     job.request.resampling.replicates = 300;
-    return write_statistics(job);
+    write_statistics(job);
+    return json::parse(text("stats.json"));
   }
 
   std::string text(const char* file) {

@@ -52,6 +52,19 @@ TEST(TradeCompare, SeesADifferenceOnlyBeyondItsInterval) {
   EXPECT_FALSE(unclear.real());
 }
 
+TEST(TradeCompare, ObservesWhatTheStatisticsGive) {
+  Piece one, two;
+  one.totals.arrests = 5, one.totals.censored = 1, one.totals.log_exposure = 6;
+  two.totals.arrests = 3, two.totals.censored = 1, two.totals.log_exposure = 6;
+  EXPECT_EQ(named("alpha").value({&one, &two}), 1.5);
+  EXPECT_EQ(named("share_censored").value({&one, &two}), 0.25);
+  EXPECT_TRUE(std::isnan(named("share_failed").value({&one, &two})));
+  one.samples = 2, one.coordination = 9, two.samples = 1, two.coordination = 3;
+  EXPECT_EQ(named("coordination").value({&one, &two}), 4);
+  for (const Observable& observable : observables())
+    EXPECT_TRUE(observable.quantity || observable.rows) << observable.key << " is in no table";
+}
+
 TEST(TradeCompare, UsesAllOfBothAndDrawsPairsTogether) {
   Sample half = bursts_of(10, 0);
   half.pieces.resize(5);

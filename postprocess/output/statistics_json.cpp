@@ -1,0 +1,183 @@
+// The numbers of every ensemble, with what was run.
+#include "postprocess/output/statistics_json.hpp"
+
+#include <filesystem>
+
+#include "coupling/base/content_hash.hpp"
+#include "coupling/files/record_json.hpp"
+#include "coupling/geometry/channel_geometry.hpp"
+#include "coupling/scene/readable_scene.hpp"
+#include "postprocess/output/fit_json.hpp"
+#include "postprocess/output/trend_json.hpp"
+
+namespace clogflow::postprocess {
+namespace {
+
+using nlohmann::json;
+
+constexpr int statistics_version = 1;
+
+/// Of every key that is not a pure number, wherever it stands.
+const json units{{"tau", "s"},
+                 {"t_min", "s"},
+                 {"longest", "s"},
+                 {"xmin", "s"},
+                 {"largest_miss_at", "s"},
+                 {"rate", "1/s"},
+                 {"start", "s"},
+                 {"end", "s"},
+                 {"filling_time", "s"},
+                 {"wall_time", "s"},
+                 {"neck_width", "m"},
+                 {"neck_height", "m"},
+                 {"channel_width", "m"},
+                 {"channel_length", "m"},
+                 {"neck_length", "m"},
+                 {"half_angle", "rad"},
+                 {"passage_plane", "m"},
+                 {"upper", "m"},
+                 {"lower", "m"},
+                 {"diameter", "m"},
+                 {"mean_velocity", "m/s"}};
+
+json as_json(const SeedRecord& record) {
+  return {{"seed", record.seed},
+          {"file", std::filesystem::absolute(record.file).lexically_normal().string()},
+          {"start", record.window.start},
+          {"end", record.window.end},
+          {"filling_time", number_or_null(record.filling_time)},
+          {"wall_time", number_or_null(record.wall_time)},
+          {"passages", record.passages},
+          {"while_off", record.while_off},
+          {"releases", record.releases}};
+}
+
+json as_json(const QuantityStatistics& statistics) {
+  json entry = as_json(statistics.whole);
+  entry["unit"] = statistics.quantity->unit;
+  entry["meaning"] = statistics.quantity->meaning;
+  if (!statistics.halves) return entry;
+  entry["first_half"] = as_json(statistics.halves->first_half);
+  entry["second_half"] = as_json(statistics.halves->second_half);
+  entry["change"] = as_json(statistics.halves->change);
+  entry["ages"] = statistics.halves->ages ? json(*statistics.halves->ages) : json();
+  return entry;
+}
+
+json as_json(const BurstShape& bursts) {
+  json shape{{"counted", bursts.counted}, {"first", bursts.first}, {"cut_off", bursts.cut_off}};
+  if (!bursts.spread) return shape;
+  const BurstSpread& spread = *bursts.spread;
+  shape.update({{"largest", spread.largest},
+                {"standard_deviation", spread.standard_deviation},
+                {"standard_deviation_geometric", spread.standard_deviation_geometric},
+                {"share_up_to_3", spread.share_up_to_3},
+                {"share_up_to_3_geometric", spread.share_up_to_3_geometric},
+                {"geometric",
+                 {{"ks", spread.geometric.ks},
+                  {"p_value", spread.geometric.p_value},
+                  {"ruled_out", spread.verdict.ruled_out},
+                  {"verdict", spread.verdict.words}}}});
+  return shape;
+}
+
+json as_json(const CountsByEnd& counts) {
+  return {{"ended_by_passage", counts.passage},
+          {"ended_by_release", counts.release},
+          {"ended_by_end_of_run", counts.end_of_run}};
+}
+
+json as_json(const FitOrRefusal<TailFit>& outcome, double tau) {
+  if (const auto* refusal = std::get_if<Refusal>(&outcome)) return {{"refused", refusal->why}};
+  const auto& fit = std::get<TailFit>(outcome);
+  json result = as_json(fit);
+  result["xmin_over_tau"] = fit.law.xmin / tau;
+  return result;
+}
+
+json as_json(const FitOrRefusal<ArrestFit>& outcome) {
+  if (const auto* refusal = std::get_if<Refusal>(&outcome)) return {{"refused", refusal->why}};
+  return as_json(std::get<ArrestFit>(outcome));
+}
+
+json as_json(const SteadyStatistics& statistics) {
+  json steady{{"particles", as_json(statistics.particles)},
+              {"packing_fraction", as_json(statistics.packing_fraction)},
+              {"porosity", json::array()}};
+  for (const Estimate& strip : statistics.porosity) steady["porosity"].push_back(as_json(strip));
+  return steady;
+}
+
+json geometry(const Scene& scene) {
+  json shape{{"neck_width", scene.geometry.neck_width},
+             {"neck_height", scene.geometry.neck_height},
+             {"channel_width", scene.geometry.channel_width},
+             {"channel_length", scene.geometry.channel_length},
+             {"neck_length", scene.geometry.neck_length},
+             {"half_angle", scene.geometry.half_angle},
+             {"present", scene.geometry.present && scene.geometry.stl.empty()},
+             {"passage_plane", scene.passages.plane},
+             {"mean_velocity", scene.flow.mean_velocity},
+             {"diameter", scene.particles.diameter}};
+  if (shape["present"]) {
+    const ChannelOutline outline = channel_outline(scene.geometry);
+    for (const auto& [name, points] : {std::pair("upper", outline.upper), {"lower", outline.lower}})
+      for (const Vec2& point : points) shape[name].push_back({point.x(), point.y()});
+  }
+  if (scene.geometry.neck_width > 0) {
+    shape["neck_ratio"] = scene.geometry.neck_width / scene.particles.diameter;
+  }
+  return shape;
+}
+
+json as_json(const RunGroup& group, const GroupStatistics& numbers) {
+  json runs = json::array(), quantities = json::object();
+  for (const SeedRecord& record : group.records) runs.push_back(as_json(record));
+  for (const QuantityStatistics& each : numbers.quantities) quantities[each.quantity->key] = as_json(each);
+  // An exponent alone says nothing: the verdict on the law that it belongs to goes with it.
+  const PowerLaws& laws = numbers.power_laws;
+  if (const auto* fit = std::get_if<ArrestFit>(&laws.fixed_censored))
+    quantities["alpha_fixed"].update(verdict_json(*fit));
+  json lapses = as_json(numbers.lapses.lapses);
+  lapses["zero"] = numbers.lapses.zero;
+  return {{"label", numbers.label},
+          {"scene", readable_scene(group.scene_text)},
+          {"scene_hash", content_hash(group.scene_text)},
+          {"geometry", geometry(group.scene)},
+          {"protocol", group.scene.unclog.protocol == UnclogProtocol::release ? "release" : "none"},
+          {"tau", group.scale.tau},
+          {"t_min", group.scale.threshold},
+          {"runs", runs},
+          {"quantities", quantities},
+          {"bursts", as_json(numbers.bursts)},
+          {"lapses", lapses},
+          {"arrests", as_json(numbers.lapses.arrests)},
+          {"longest", numbers.lapses.longest},
+          {"power_law",
+           {{"free", as_json(laws.free, group.scale.tau)},
+            {"fixed", as_json(laws.fixed, group.scale.tau)},
+            {"fixed_censored", as_json(laws.fixed_censored)}}},
+          {"steady", as_json(numbers.steady)},
+          {"provenance", record_json(group.record)},
+          {"notes", numbers.notes}};
+}
+
+}  // namespace
+
+json as_json(const Statistics& statistics) {
+  json all{{"format", "clogflow statistics"},
+           {"version", statistics_version},
+           {"program", CLOG_VERSION},
+           {"units", units},
+           {"sweep", statistics.swept_keys},
+           {"confidence", statistics.resampling.level},
+           {"bootstrap_seed", statistics.resampling.seed},
+           {"groups", json::array()},
+           {"trend", as_json(statistics.trend)}};
+  for (std::size_t i = 0; i < statistics.groups.size(); ++i)
+    all["groups"].push_back(as_json(statistics.groups[i], statistics.numbers[i]));
+  all["trend"]["without_runs"] = statistics.without_runs;
+  return all;
+}
+
+}  // namespace clogflow::postprocess
