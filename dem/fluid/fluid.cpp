@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coupling/scene/scene_keys.hpp"
 #include "dem/physics/dimensionless.hpp"
 
 namespace clogflow {
 
-const DragLaw& drag_law(const Scene& scene) { return find_drag_law(word_of(scene, "drag.law")); }
+const DragLaw& drag_law(const Scene& scene) { return find_drag_law(scene.drag.law); }
 
 Fluid::Fluid(const Scene& scene, FlowField field, PorosityStrips strips)
     : field_(std::move(field)),

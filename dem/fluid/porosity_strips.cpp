@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupling/base/expect.hpp"
 #include "coupling/base/require.hpp"
 #include "dem/physics/porosity.hpp"
 
@@ -29,6 +30,7 @@ void PorosityStrips::update(const Particles& p) {
     const double r = p[i].radius;
     if (p[i].x - r >= end || p[i].x + r <= start_) continue;
     const int from = strip_at(p[i].x - r), to = strip_at(p[i].x + r);
+    expect(from >= 0 && from <= to && static_cast<std::size_t>(to) < solid.size());
     if (from == to && p[i].x + r <= end && p[i].x - r >= start_) {
       solid[from] += sphere_volume(r);
       continue;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupling/base/expect.hpp"
 #include "dem/state/valid.hpp"
 
 namespace clogflow {
@@ -11,6 +12,7 @@ namespace {
 
 template <class T>
 void gather(std::vector<T>& values, const std::vector<int>& order) {
+  expect(order.size() <= values.size() && (order.empty() || point_below(order, values.size())));
   std::vector<T> taken(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) taken[k] = values[order[k]];
   values.swap(taken);
@@ -28,6 +30,7 @@ bool Particles::valid(double largest_radius) const {
 }
 
 void Particles::add(const Particle& p) {
+  expect(states.size() == size() && passed.size() == size());
   id.push_back(p.id);
   ParticleState state;
   state.x = p.x, state.y = p.y, state.z = p.z, state.radius = p.radius;

@@ -1,9 +1,9 @@
 // Cuts a run down to what the statistics need.
 #include "postprocess/events/seed_record.hpp"
 
-#include <algorithm>
 #include <limits>
 
+#include "coupling/base/quantile.hpp"
 #include "coupling/base/require.hpp"
 #include "coupling/files/run_record.hpp"
 
@@ -59,9 +59,7 @@ double end_of_filling(const RunData& run, const Scene& scene) {
   const auto& count = run.series.count;
   if (!scene.inlet.enabled || scene.inlet.start == InletStart::filled || time.empty()) return 0;
   std::vector<std::int64_t> late(count.begin() + static_cast<std::ptrdiff_t>(count.size() / 2), count.end());
-  const auto middle = late.begin() + static_cast<std::ptrdiff_t>(late.size() / 2);
-  std::nth_element(late.begin(), middle, late.end());
-  const double full = full_share * static_cast<double>(*middle);
+  const double full = full_share * static_cast<double>(quantile(late, 0.5));
   for (std::size_t i = 0; i < time.size(); ++i) {
     if (static_cast<double>(count[i]) >= full) return time[i];
   }
