@@ -1,7 +1,7 @@
 #include "dem/contact/contact_set.hpp"
 
 #include "coupling/base/expect.hpp"
-#include "dem/state/sound.hpp"
+#include "dem/state/valid.hpp"
 
 namespace clogflow {
 
@@ -67,7 +67,7 @@ ContactPointers ContactSet::pointers() {
   return pointers;
 }
 
-bool ContactSet::sound(std::size_t candidates, std::size_t firsts, std::size_t seconds) const {
+bool ContactSet::valid(std::size_t candidates, std::size_t firsts, std::size_t seconds) const {
   const std::size_t moving = touching_.count + watched_.count;
   if (moving < touching_.count || moving > candidates || films_.count > candidates) return false;
   if (moving + films_.count == 0) return true;

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "coupling/base/expect.hpp"
-#include "dem/state/sound.hpp"
+#include "dem/state/valid.hpp"
 
 namespace clogflow {
 
@@ -93,10 +93,10 @@ void Neighbours::measure(const Particles& p) {
   equal_inertia = equal ? p[0].inertia : 0;
 }
 
-bool Neighbours::sound(std::size_t particles) const {
+bool Neighbours::valid(std::size_t particles) const {
   return first.size() == second.size() &&
          (first.empty() || (point_below(first, particles) && point_below(second, particles))) &&
-         contacts.sound(first.size(), particles, particles);
+         contacts.valid(first.size(), particles, particles);
 }
 
 }  // namespace clogflow

@@ -49,7 +49,7 @@ void Fluid::evaluate(Particles& p) {
                 uy_.data(),
                 uz_.data(),
                 coefficient_.data()};
-  if (field_.describe(task)) {
+  if (field_.set_nearest(task)) {
     kernels_.sample_nearest(task);
   } else {
     for (std::size_t i = 0; i < p.size(); ++i) {

@@ -48,7 +48,7 @@ void PorosityStrips::update(const Particles& p) {
   }
 }
 
-bool PorosityStrips::sound() const {
+bool PorosityStrips::valid() const {
   return porosity_.size() == volume_.size() && std::all_of(porosity_.begin(), porosity_.end(), [](double e) {
            return std::isfinite(e) && e >= least_porosity;
          });

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "coupling/base/expect.hpp"
-#include "dem/state/sound.hpp"
+#include "dem/state/valid.hpp"
 
 namespace clogflow {
 
@@ -20,7 +20,7 @@ void gather(std::vector<T>& values, const std::vector<int>& order) {
 
 }  // namespace
 
-bool Particles::sound(double largest_radius) const {
+bool Particles::valid(double largest_radius) const {
   const auto possible = [&](const ParticleState& s) {
     for (double value : {s.x, s.y, s.z, s.radius, s.vx, s.vy, s.vz, s.mass, s.wx, s.wy, s.wz, s.inertia})
       if (!std::isfinite(value)) return false;
