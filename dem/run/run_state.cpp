@@ -45,7 +45,7 @@ const char* RunState::damaged_part() const {
   if (!fluid.strips().valid()) return "porosity";
   if (!fluid.noise().valid()) return "random factors on the flow";
   if (!inlet.valid()) return "inlet";
-  if (!finite_from_zero(next_insertion, next_porosity, particle_steps) || !energy.valid() || !stopwatch.valid())
+  if (!finite_from_zero(next_insertion, next_porosity, particle_steps) || !energy.valid() || !computing_time.valid())
     return "clocks or energies";
   if (!filling.valid(time())) return "filling";
   const std::int64_t most = filling.is_done() ? model.steps : most_filling_steps - 1;

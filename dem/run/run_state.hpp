@@ -15,7 +15,7 @@
 #include "dem/run/inlet.hpp"
 #include "dem/run/model.hpp"
 #include "dem/run/step_clock.hpp"
-#include "dem/run/stopwatch.hpp"
+#include "dem/run/computing_time.hpp"
 #include "dem/stability/step_watch.hpp"
 #include "dem/state/particles.hpp"
 #include "dem/state/random.hpp"
@@ -43,7 +43,7 @@ struct RunState {
   double particle_steps = 0;                     ///< done
   EnergyBalance energy;
   StepWatch step_watch;
-  Stopwatch stopwatch;
+  ComputingTime computing_time;
 
   ContactTally pair_tally, wall_tally;  ///< of the last forces
   /// Loads that nothing has used yet are cleared before they are summed anew; the kick clears what it uses.
@@ -76,7 +76,7 @@ struct RunState {
     // What was saved of the contacts belongs to these walls.
     if (Archive::loading && filling.gate_is_closed()) place_walls();
     archive(clock, random, inlet, clog_watch, particles, lists, fluid, next_insertion, next_porosity, particle_steps,
-            energy, step_watch, stopwatch);
+            energy, step_watch, computing_time);
     if (Archive::loading) lists.pairs.measure(particles);
   }
 };

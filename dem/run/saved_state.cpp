@@ -24,7 +24,7 @@ RunData nothing_of(const RunData& run) {
 }  // namespace
 
 std::string SavedState::save() {
-  state_.stopwatch.lap();
+  state_.computing_time.lap();
   ArchiveWriter archive;
   exchange(archive);
   return archive.bytes();
@@ -42,7 +42,7 @@ void SavedState::resume(const std::string& bytes) {
 std::string SavedState::save_end() {
   RunRows rows = rows_of(recorder_.data);
   RunData all = std::exchange(recorder_.data, nothing_of(recorder_.data));
-  state_.stopwatch.lap();
+  state_.computing_time.lap();
   ArchiveWriter archive;
   archive(rows);
   exchange(archive);

@@ -33,7 +33,7 @@ Simulation::Simulation(const Scene& scene, const FlowGrid* flow, std::uint64_t s
 }
 
 RunData Simulation::run(const Watcher& watcher) {
-  state_.stopwatch.start();
+  state_.computing_time.start();
   recorder_.data.record.step_limits = stability_.announce(model_);
   fill(watcher);
   while (state_.clock.step() < model_.steps) {

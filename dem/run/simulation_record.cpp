@@ -13,7 +13,7 @@
 namespace clogflow {
 
 void Simulation::finish() {
-  const double seconds = state_.stopwatch.lap();
+  const double seconds = state_.computing_time.lap();
   const Inlet& inlet = state_.inlet;
   RunData& data = recorder_.data;
   char host[256] = "unknown";

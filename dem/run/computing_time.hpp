@@ -6,7 +6,7 @@
 
 namespace clogflow {
 
-class Stopwatch {
+class ComputingTime {
 public:
   /// What passed until now is not counted.
   void start() { began_ = Clock::now(); }
