@@ -32,10 +32,9 @@ json as_json(const LeftOut& point) {
   return out;
 }
 
-json as_json(const SweepLaw& law, const char* quantity) {
+json as_json(const SweepLaw& law, const char* quantity, const SweepAxis& axis) {
   json result = json::object();
-  if (!law.x.empty())
-    result = {{"law", fmt::format("{} = A exp(b x)", quantity)}, {"x", law.x}, {"points", law.points}};
+  if (axis.numeric) result = {{"law", fmt::format("{} = A exp(b x)", quantity)}, {"x", law.x}, {"points", law.points}};
   if (!law.line) {
     result["refused"] = law.refused;
     return result;
@@ -53,8 +52,8 @@ json as_json(const SweepLaw& law, const char* quantity) {
 
 json as_json(const TrendSeries& series, const SweepAxis& axis) {
   json result{{"label", series.label},
-              {"mean_burst", as_json(series.mean_burst, "mean_burst")},
-              {"alpha", as_json(series.alpha, "alpha")}};
+              {"mean_burst", as_json(series.mean_burst, "mean_burst", axis)},
+              {"alpha", as_json(series.alpha, "alpha", axis)}};
   if (!axis.neck_ratio) return result;
   json& rivals = result["mean_burst"]["rivals"] = json::array();
   for (const SweepLaw& law : series.rivals)

@@ -44,7 +44,7 @@ struct LeftOut {
 
 /// quantity = A exp(b x)
 struct SweepLaw {
-  std::string x;                     ///< in words: "(D/d)^3"; empty where the swept key is no number
+  std::string x;                     ///< in words: "(D/d)^3"; empty where nothing varies
   std::size_t points = 0;            ///< measured ones
   std::optional<WeightedLine> line;  ///< of the logarithm: slope b, intercept ln A
   std::string refused;               ///< why there is no line
