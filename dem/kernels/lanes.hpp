@@ -185,7 +185,7 @@ struct Records {
 constexpr std::size_t stay_near = 2000;
 
 /// Starts to bring the first so many doubles of particles near.
-[[gnu::always_inline]] inline void ask_for(const ParticlePointers& p, Index at, int parts = record_stride) {
+[[gnu::always_inline]] inline void prefetch(const ParticlePointers& p, Index at, int parts = record_stride) {
   if (p.count <= stay_near) return;
   constexpr int line = 64 / sizeof(double);
   for (int k = 0; k < lanes; ++k)

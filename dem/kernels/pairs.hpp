@@ -41,8 +41,8 @@ PairMotion load_pair_motion(const PairTask& task, Index i, Index j) {
 template <bool equal>
 void lubricate(const PairTask& task, Index i, Index j, int used) {
   const LubricationLaw& law = task.lubrication;
-  ask_for(task.particles, i + vectors_ahead * lanes);
-  ask_for(task.particles, j + vectors_ahead * lanes);
+  prefetch(task.particles, i + vectors_ahead * lanes);
+  prefetch(task.particles, j + vectors_ahead * lanes);
   const PairPlace<Lanes> place = load_pair_place<equal>(task, i, j);
   const Lanes distance2 = dot(place.apart, place.apart);
   const Lanes gap = -place.overlap(sqrt(distance2));
@@ -55,8 +55,8 @@ template <class Kind, ContactTerms terms, bool equal>
 Contacts collide(const PairTask& task, const typename Kind::Normal& law, std::size_t from, int used) {
   const ParticlePointers& p = task.particles;
   const Index i = task.contacts.touching.first + from, j = task.contacts.touching.second + from;
-  ask_for(p, i + vectors_ahead * lanes);
-  ask_for(p, j + vectors_ahead * lanes);
+  prefetch(p, i + vectors_ahead * lanes);
+  prefetch(p, j + vectors_ahead * lanes);
   const PairPlace<Lanes> place = load_pair_place<equal>(task, i, j);
   const Lanes distance = place.distance();
   const Lanes overlap = place.overlap(distance);
@@ -90,8 +90,8 @@ template <class Kind, ContactTerms terms, bool equal>
         return -place.overlap(place.distance());
       },
       [&](std::size_t row) {
-        ask_for(task.particles, c.watched.first + row, 1);
-        ask_for(task.particles, c.watched.second + row, 1);
+        prefetch(task.particles, c.watched.first + row, 1);
+        prefetch(task.particles, c.watched.second + row, 1);
       });
   Lanes deepest(0.0);
   Changes ended{c.changed};

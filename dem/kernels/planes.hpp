@@ -24,7 +24,7 @@ template <class Kind, ContactTerms terms>
 Contacts collide_plane(const PlaneTask& task, const typename Kind::Normal& law, std::size_t from, int used) {
   const ParticlePointers& p = task.particles;
   const Index i = task.contacts.touching.first + from;
-  ask_for(p, i + vectors_ahead * lanes);
+  prefetch(p, i + vectors_ahead * lanes);
   const OverPlane over(task, i, task.contacts.touching.second + from);
   const Moving m = load_motion(p, i);
   const Lanes least = least_overlap(law, over.radius);
@@ -58,7 +58,7 @@ template <class Kind, ContactTerms terms>
   const ContactPointers& c = task.contacts;
   begin_contacts(
       c, [&](Index i, Index slot) { return -OverPlane(task, i, slot).overlap; },
-      [&](std::size_t row) { ask_for(task.particles, c.watched.first + row, 1); });
+      [&](std::size_t row) { prefetch(task.particles, c.watched.first + row, 1); });
   Lanes deepest(0.0);
   Changes ended{c.changed};
   for_vectors(*c.touching.count, [&](std::size_t from, int used) {

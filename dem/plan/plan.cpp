@@ -103,8 +103,8 @@ void estimate_cost(const Scene& s, const Model& model, Plan& plan) {
       plan.filling_steps = filling_share * s.geometry.channel_length / s.flow_speed() / model.dt;
   }
   plan.memory = bytes_per_particle * plan.particles;
-  const double way = s.flow.mean_velocity * model.dt / s.particles.diameter;
-  const double each = instructions_per_particle_step(s, way);
+  const double diameters = s.flow.mean_velocity * model.dt / s.particles.diameter;
+  const double each = instructions_per_particle_step(s, diameters);
   plan.instructions = (plan.steps + plan.filling_steps) * plan.particles * each;
   for (const TermCost& cost : term_costs(s))
     for (PlannedTerm& term : plan.terms)

@@ -6,7 +6,7 @@ namespace {
 
 /// Of renewing and sorting the lists, per particle and unit of v dt / d: from processor times at steps that differ
 /// sevenfold (docs/reports/trade.md); nothing else in a run grows with the step.
-constexpr double instructions_per_way = 4e5;
+constexpr double instructions_per_diameter = 4e5;
 
 }  // namespace
 
@@ -20,8 +20,8 @@ std::vector<TermCost> term_costs(const Scene& scene) {
   return costs;
 }
 
-double instructions_per_particle_step(const Scene& scene, double way) {
-  double sum = instructions_per_way * way;
+double instructions_per_particle_step(const Scene& scene, double diameters) {
+  double sum = instructions_per_diameter * diameters;
   for (const TermCost& cost : term_costs(scene)) sum += cost.instructions;
   return sum;
 }

@@ -1,7 +1,7 @@
 // Scenes that the benchmarks time.
 #pragma once
 
-#include "tests/dem/clouds.hpp"
+#include "tests/dem/kernels/clouds.hpp"
 
 namespace clogflow::test {
 

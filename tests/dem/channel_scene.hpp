@@ -2,8 +2,8 @@
 #pragma once
 
 #include "coupling/base/source_folder.hpp"
+#include "tests/dem/fluid/synthetic_flow.hpp"
 #include "tests/dem/laboratory.hpp"
-#include "tests/dem/synthetic_flow.hpp"
 
 namespace clogflow::test {
 

@@ -5,7 +5,7 @@
 #include "coupling/openfoam/foam_samples.hpp"
 #include "tests/coupling/flow_scene.hpp"
 #include "tests/coupling/refusal.hpp"
-#include "tests/coupling/scene_texts.hpp"
+#include "tests/coupling/scene/scene_texts.hpp"
 
 namespace clogflow::test {
 namespace {

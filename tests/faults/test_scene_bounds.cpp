@@ -7,7 +7,7 @@
 #include "coupling/base/require.hpp"
 #include "coupling/scene/scene.hpp"
 #include "coupling/scene/scene_keys.hpp"
-#include "tests/coupling/scene_texts.hpp"
+#include "tests/coupling/scene/scene_texts.hpp"
 
 namespace clogflow::test {
 namespace {

@@ -1,6 +1,6 @@
 // --set key=value on a scene that is otherwise good.
 #include "coupling/scene/scene.hpp"
-#include "tests/coupling/scene_texts.hpp"
+#include "tests/coupling/scene/scene_texts.hpp"
 #include "tests/fuzz/one_input.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -8,7 +8,7 @@
 
 #include "coupling/files/run_file.hpp"
 #include "coupling/scene/scene.hpp"
-#include "tests/postprocess/samples.hpp"
+#include "tests/postprocess/laws/samples.hpp"
 
 namespace clogflow::postprocess {
 

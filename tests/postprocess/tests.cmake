@@ -1,17 +1,17 @@
 clog_tests(test_postprocess
   SOURCES
-    postprocess/test_bursts.cpp
-    postprocess/test_censored.cpp
-    postprocess/test_confidence.cpp
-    postprocess/test_discrete_power_law.cpp
-    postprocess/test_geometric_law.cpp
-    postprocess/test_number_column.cpp
-    postprocess/test_power_law.cpp
-    postprocess/test_quantities.cpp
-    postprocess/test_statistics_files.cpp
-    postprocess/test_stopping_rule.cpp
-    postprocess/test_sweeps.cpp
-    postprocess/test_weighted_line.cpp
+    postprocess/events/test_bursts.cpp
+    postprocess/laws/test_censored.cpp
+    postprocess/laws/test_confidence.cpp
+    postprocess/laws/test_discrete_power_law.cpp
+    postprocess/laws/test_geometric_law.cpp
+    coupling/base/test_number_column.cpp
+    postprocess/laws/test_power_law.cpp
+    postprocess/summary/test_quantities.cpp
+    postprocess/output/test_statistics_files.cpp
+    postprocess/summary/test_stopping_rule.cpp
+    postprocess/summary/test_sweeps.cpp
+    postprocess/laws/test_weighted_line.cpp
   LIBRARIES clog_postprocess
   LABELS unit
 )
@@ -19,9 +19,9 @@ clog_tests(test_postprocess
 # Starts python and the program itself, so it is slower than a unit test.
 clog_tests(test_postprocess_programs
   SOURCES
-    postprocess/test_real_runs.cpp
-    postprocess/test_report.cpp
-    postprocess/test_verbs.cpp
+    postprocess/output/test_real_runs.cpp
+    postprocess/output/test_report.cpp
+    postprocess/output/test_verbs.cpp
   LIBRARIES clog_postprocess
   LABELS pipeline
 )

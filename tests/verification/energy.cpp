@@ -1,5 +1,5 @@
 // Energy: what work puts in is stored or dissipated, and none appears.
-#include "tests/dem/clouds.hpp"
+#include "tests/dem/kernels/clouds.hpp"
 #include "tests/verification/check.hpp"
 
 namespace clogflow::verification {

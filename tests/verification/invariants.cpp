@@ -1,6 +1,6 @@
 // Momentum, and independence of the frame in which a scene is written down.
-#include "tests/dem/clouds.hpp"
-#include "tests/dem/wall_shapes.hpp"
+#include "tests/dem/contact/wall_shapes.hpp"
+#include "tests/dem/kernels/clouds.hpp"
 #include "tests/verification/check.hpp"
 
 namespace clogflow::verification {
