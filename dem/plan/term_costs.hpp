@@ -20,7 +20,7 @@ struct TermCost {
 std::vector<TermCost> term_costs(const Scene& scene);
 
 /// All of them, and the renewal of the lists, which is the dearer the further particles go in one step.
-/// \param diameters  of the flow in one step, over the diameter: v dt / d [-]
+/// \param diameters  that the flow goes in one step: v dt / d [-]
 double instructions_per_particle_step(const Scene& scene, double diameters);
 
 }  // namespace clogflow
