@@ -5,6 +5,7 @@
 #include <memory>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "cli/verbs.hpp"
 #include "coupling/base/content_hash.hpp"
@@ -13,6 +14,7 @@
 #include "coupling/base/shown_text.hpp"
 #include "coupling/files/flow_grid.hpp"
 #include "coupling/files/hdf5_file.hpp"
+#include "coupling/files/record_json.hpp"
 #include "coupling/files/run_file.hpp"
 #include "coupling/scene/readable_scene.hpp"
 #include "coupling/scene/scene.hpp"
@@ -32,7 +34,6 @@ struct InfoOptions {
 std::string micrometres(double length) { return fmt::format("{:.4g} um", 1e6 * length); }
 
 void print_record(const nlohmann::json& record) {
-  if (!record.is_object()) return;
   for (const auto& [key, value] : record.items()) {
     constexpr std::size_t longest = 100;
     fmt::print("  {}: {}\n", shown_text(key, longest),
@@ -65,7 +66,7 @@ void print_flow(const FlowGrid& grid, const std::string& name) {
   fmt::print("fluid at {:.1f} % of the points; fastest {:.4g} mm/s\n",
              100.0 - 100.0 * static_cast<double>(solid) / static_cast<double>(grid.solid.size()), 1e3 * fastest);
   fmt::print("walls: {} triangles\nhash: {}\nwhere it comes from:\n", grid.walls.size(), shown_text(grid.hash));
-  print_record(grid.provenance);
+  print_record(record_json(grid.record));
   print_scene(grid.scene_text);
 }
 
@@ -87,7 +88,7 @@ void print_run(const RunData& run, const std::string& name) {
   if (!run.snapshots.empty())
     fmt::print(", the last at {:.6g} s with {} particles", run.snapshots.back().time, run.snapshots.back().id.size());
   fmt::print("\nwhere it comes from:\n");
-  print_record(run.provenance);
+  print_record(record_json(run.record));
   print_scene(run.scene_text);
 }
 

@@ -17,34 +17,33 @@ struct MapOptions {
 
 void write_map(const MapOptions& options) {
   const FlowGrid grid = map_flow(options.folder);
+  const FlowRecord& record = grid.record;
   write_flow_grid(grid, options.out);
   fmt::print("{}: flow {}, {} x {} x {} points of {:.4g} um, flux of every plane within {:.2g} %\n",
              options.out.string(), grid.hash, grid.points[0], grid.points[1], grid.points[2], 1e6 * grid.spacing,
-             100 * grid.provenance["grid_flux_largest_error"].get<double>());
-  const auto& lookup = grid.provenance["lookup_error"];
+             100 * *record.grid_flux_largest_error);
   fmt::print(
       "reading it adds, in % of the neck's mean velocity: rms {:.2g} trilinear, {:.2g} nearest; "
       "in the neck, walls included, {:.2g} and {:.2g}; {:.3g} MB of memory\n",
-      100 * lookup["trilinear_rms"].get<double>(), 100 * lookup["nearest_rms"].get<double>(),
-      100 * lookup["trilinear_in_neck"].get<double>(), 100 * lookup["nearest_in_neck"].get<double>(),
+      100 * record.lookup_error->trilinear_rms, 100 * record.lookup_error->nearest_rms,
+      100 * record.lookup_error->trilinear_in_neck, 100 * record.lookup_error->nearest_in_neck,
       1e-6 * static_cast<double>(sizeof(float) * grid.velocity.size() + grid.solid.size()));
   if (const auto drop = channel_pressure_drop(grid, read_scene(options.folder / "scene.toml")))
     fmt::print(
         "pressure drop from the inlet of the scene's channel: {:.4g} Pa, {:.4g} Pa of it in what "
         "was solved\n",
-        *drop, grid.provenance["pressure_drop"].get<double>());
-  if (!grid.provenance.contains("mesh_error")) return;
-  const auto percent = [&](const char* key) { return 100 * grid.provenance["mesh_error"][key].get<double>(); };
+        *drop, *record.pressure_drop);
+  if (!record.mesh_error) return;
+  const MeshError& error = *record.mesh_error;
   fmt::print(
       "{}, in % of the neck's mean velocity: "
       "rms {:.2g}, {:.2g} at 99 of 100 points, at most {:.2g} beside the edge; solved pressure "
       "drop "
       "{:.4g} Pa within {:.2g} %\n",
-      grid.provenance["mesh_error"]["extrapolated"].get<bool>()
-          ? "extrapolated from this mesh and a coarser one; error, 1.25 times what that changed"
-          : "error of the mesh, estimated from a coarser one",
-      percent("velocity_rms"), percent("velocity_99_percent"), percent("velocity_largest"),
-      grid.provenance["pressure_drop"].get<double>(), percent("pressure_drop"));
+      error.extrapolated ? "extrapolated from this mesh and a coarser one; error, 1.25 times what that changed"
+                         : "error of the mesh, estimated from a coarser one",
+      100 * error.velocity_rms, 100 * error.velocity_99_percent, 100 * error.velocity_largest, *record.pressure_drop,
+      100 * error.pressure_drop);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-#include "dem/run/simulation.hpp"
+#include "dem/run/progress.hpp"
 
 namespace clogflow::cli {
 

@@ -1,33 +1,20 @@
 #include "ensemble/launch.hpp"
 
-#include <charconv>
 #include <chrono>
-#include <cstdlib>
 #include <optional>
-#include <string_view>
 
 #include <unistd.h>
 
+#include "coupling/base/environment.hpp"
 #include "coupling/base/require.hpp"
 
 namespace clogflow {
 
 namespace {
 
-std::optional<std::string> variable(const char* name) {
-  const char* value = std::getenv(name);
-  return value ? std::optional<std::string>(value) : std::nullopt;
-}
-
 std::optional<int> number(const char* name) {
-  const auto text = variable(name);
-  if (!text) return {};
-  int value = -1;
-  const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), value);
-  require(error == std::errc() && end == text->data() + text->size() && value >= 0,
-          "{} = {} (the environment of a launcher must hold a whole number): unset it, or start under mpirun or srun",
-          name, *text);
-  return value;
+  return environment_number(
+      name, "(the environment of a launcher must hold a whole number): unset it, or start under mpirun or srun");
 }
 
 /// Names of rank and number of ranks; `condition` must be there too. The batch script of Slurm is no step: it
@@ -49,10 +36,10 @@ std::string host_name() {
 }
 
 std::string call_of(const Launcher& launcher) {
-  std::string call = variable(launcher.call).value_or("");
+  std::string call = environment(launcher.call).value_or("");
   // The key is random; the other names repeat where process numbers do, as in containers.
   for (const char* name : {"OMPI_MCA_orte_precondition_transports", "SLURM_JOB_ID", "SLURM_RESTART_COUNT"})
-    if (const auto value = variable(name)) call += "." + *value;
+    if (const auto value = environment(name)) call += "." + *value;
   return call;
 }
 
@@ -63,7 +50,7 @@ Launch launch_from_environment() {
   launch.host = host_name();
   for (const Launcher& launcher : launchers) {
     const auto rank = number(launcher.rank), count = number(launcher.count);
-    if (!rank || !count || !variable(launcher.condition)) continue;
+    if (!rank || !count || !environment(launcher.condition)) continue;
     require(*rank < *count, "{} = {} (must be below {} = {}): unset both, or start under mpirun or srun", launcher.rank,
             *rank, launcher.count, *count);
     launch.rank = *rank, launch.count = *count, launch.call = call_of(launcher), launch.by_launcher = true;

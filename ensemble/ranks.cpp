@@ -1,7 +1,6 @@
-#include <cstdlib>
-
 #include <mpi.h>
 
+#include "coupling/base/environment.hpp"
 #include "ensemble/ranks.hpp"
 
 namespace clogflow {
@@ -16,7 +15,7 @@ namespace {
 /// MPI is started only under mpirun or srun: a lone process needs none of it.
 bool launched_by_mpi() {
   for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK"})
-    if (std::getenv(name)) return true;
+    if (environment(name)) return true;
   return false;
 }
 

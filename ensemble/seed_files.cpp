@@ -5,7 +5,6 @@
 #include "coupling/base/require.hpp"
 #include "coupling/base/text_file.hpp"
 #include "coupling/base/units.hpp"
-#include "coupling/files/run_record.hpp"
 #include "coupling/scene/scene_difference.hpp"
 #include "dem/kernels/kernels.hpp"
 
@@ -39,8 +38,7 @@ void check_trajectory(const fs::path& file, const Differences& differences) {
 }
 
 void check_inputs(const fs::path& file, const RunData& done, const std::string& inputs) {
-  const auto& record = done.provenance;
-  require(!record.is_object() || record.value(run_record::inputs_hash, inputs) == inputs,
+  require(done.record.inputs_hash.value_or(inputs) == inputs,
           "{}: was made with another flow, or other files of particles or walls: give another --out", file.string());
 }
 
@@ -65,10 +63,11 @@ std::optional<StateOwner> owner_in(const fs::path& file) {
     for (const char* prefix : {"run_", "ahead_", "shorter_"})
       if (name.starts_with(prefix)) {
         const RunData head = read_run_head(file);
-        StateOwner owner{
-            .scene_text = head.scene_text, .inputs = "", .build = "", .instruction_set = "", .seed = head.seed};
-        if (head.provenance.is_object()) owner.inputs = head.provenance.value(run_record::inputs_hash, "");
-        return owner;
+        return StateOwner{.scene_text = head.scene_text,
+                          .inputs = head.record.inputs_hash.value_or(""),
+                          .build = "",
+                          .instruction_set = "",
+                          .seed = head.seed};
       }
   } catch (const std::exception&) {
     // Its own seed says what is wrong with it.

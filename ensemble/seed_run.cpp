@@ -8,7 +8,6 @@
 #include "coupling/base/require.hpp"
 #include "coupling/base/text_file.hpp"
 #include "coupling/files/run_file.hpp"
-#include "coupling/files/run_record.hpp"
 #include "dem/run/checkpoint.hpp"
 #include "ensemble/seed_files.hpp"
 #include "ensemble/seed_lock.hpp"
@@ -69,8 +68,7 @@ private:
 
 std::string summary(const RunData& run) {
   return fmt::format("{:.4g} s simulated in {:.1f} s, {:.3g} particle-steps/s, {} passages, {} releases", run.end_time,
-                     run.provenance[run_record::wall_time].get<double>(),
-                     run.provenance[run_record::particle_steps_per_s].get<double>(), run.passages.time.size(),
+                     *run.record.wall_time, *run.record.particle_steps_per_s, run.passages.time.size(),
                      run.releases.off.size());
 }
 
@@ -135,7 +133,7 @@ std::string run_seed(const Ensemble& ensemble, const std::string& inputs, std::u
     saver.look();
     if (watcher) watcher(progress);
   });
-  run.provenance[run_record::inputs_hash] = inputs;
+  run.record.inputs_hash = inputs;
   run.end_state = pack_state({owner, std::move(run.end_state)});
   write_run_file(run, ensemble.wanted ? ahead_file(ensemble, seed) : run_file(ensemble, seed));
   checkpoint.remove();

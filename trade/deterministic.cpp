@@ -5,7 +5,6 @@
 
 #include "coupling/base/publish_file.hpp"
 #include "coupling/base/require.hpp"
-#include "coupling/files/run_record.hpp"
 
 namespace clogflow::trade {
 
@@ -59,7 +58,7 @@ Outcome move(const Scene& scene, const FlowGrid* flow) {
   for (std::size_t i = 0; i < last.id.size(); ++i)
     outcome.way[last.id[i]] = Vec3(&last.position[3 * i]) - start.at(last.id[i]);
   outcome.overlap = data.series.largest_overlap.back() / scene.particles.diameter;
-  outcome.particle_steps = data.provenance.at(run_record::particle_steps);
+  outcome.particle_steps = data.record.particle_steps.value();
   return outcome;
 }
 

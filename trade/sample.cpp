@@ -9,7 +9,6 @@
 
 #include "coupling/base/require.hpp"
 #include "coupling/files/run_file.hpp"
-#include "coupling/files/run_record.hpp"
 #include "postprocess/events/run_groups.hpp"
 #include "postprocess/laws/confidence.hpp"
 
@@ -50,16 +49,17 @@ void add_run(Sample& sample, const fs::path& file) {
     sample.pieces.push_back(piece);
   }
   ++sample.runs;
-  const auto recorded = [&](const char* name) {
-    require(run.provenance.contains(name), "{}: its record has no {} (made by another program?)", file.string(), name);
-    return run.provenance[name].get<double>();
+  const auto recorded = [&](std::optional<double> RunRecord::*entry) {
+    const std::optional<double>& number = run.record.*entry;
+    require(number.has_value(), "{}: its record has no {} (made by another program?)", file.string(),
+            entry_name(entry));
+    return *number;
   };
-  sample.simulated += run.end_time + recorded(run_record::fill_time);
-  sample.particle_steps += recorded(run_record::particle_steps);
-  if (run.provenance.contains(run_record::contact_limit) && recorded(run_record::contact_limit) > 0)
-    sample.step_over_limit =
-        std::max(sample.step_over_limit, recorded(run_record::time_step) / recorded(run_record::contact_limit));
-  sample.wall_seconds += recorded(run_record::wall_time);
+  sample.simulated += run.end_time + recorded(&RunRecord::fill_time);
+  sample.particle_steps += recorded(&RunRecord::particle_steps);
+  if (const double limit = run.record.contact_limit.value_or(0); limit > 0)
+    sample.step_over_limit = std::max(sample.step_over_limit, recorded(&RunRecord::time_step) / limit);
+  sample.wall_seconds += recorded(&RunRecord::wall_time);
 }
 
 }  // namespace

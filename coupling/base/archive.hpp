@@ -7,9 +7,6 @@
 #include <type_traits>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
-#include "coupling/base/json_text.hpp"
 #include "coupling/base/require.hpp"
 #include "coupling/base/vec3.hpp"
 
@@ -45,10 +42,6 @@ private:
     std::size_t size = text.size();
     put(size);
     raw(text.data(), size);
-  }
-  void put(nlohmann::json& value) {
-    std::string text = value.dump();
-    put(text);
   }
   template <class T>
   void put(std::vector<T>& values) {
@@ -105,12 +98,6 @@ private:
   void take(std::string& text) {
     text.resize(take_size(1));
     raw(text.data(), text.size());
-  }
-  void take(nlohmann::json& value) {
-    std::string text;
-    take(text);
-    value = parse_json(text);
-    require(!value.is_discarded(), "a saved state holds a text that is no JSON, or nested too deep");
   }
   template <class T>
   void take(std::vector<T>& values) {

@@ -4,6 +4,11 @@
 
 namespace clogflow {
 
-std::filesystem::path source_folder() { return CLOG_SOURCE_DIR; }
+std::filesystem::path source_folder() {
+  std::error_code none;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", none);
+  const auto installed = program.parent_path().parent_path() / "share" / "clogflow";
+  return !none && std::filesystem::is_directory(installed, none) ? installed : CLOG_SOURCE_DIR;
+}
 
 }  // namespace clogflow

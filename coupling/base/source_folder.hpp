@@ -1,11 +1,12 @@
-// Where the program's own data files stand: the template of the OpenFOAM case, figure scripts, scenes.
+// Where the program's own data files stand: the template of the OpenFOAM case, figure scripts.
 #pragma once
 
 #include <filesystem>
 
 namespace clogflow {
 
-/// The top folder of the sources that this program was built from.
+/// `share/clogflow` beside the `bin` of an installed program, wherever that was moved to; otherwise the top folder
+/// of the sources that this program was built from.
 std::filesystem::path source_folder();
 
 }  // namespace clogflow

@@ -1,4 +1,4 @@
-// flow.h5 as VTKHDF ImageData, so that ParaView opens it as it is, with walls and provenance
+// flow.h5 as VTKHDF ImageData, so that ParaView opens it as it is, with walls and record
 // beside.
 #include "coupling/files/flow_grid.hpp"
 
@@ -7,7 +7,7 @@
 
 #include "coupling/base/require.hpp"
 #include "coupling/files/hdf5_file.hpp"
-#include "coupling/files/provenance_record.hpp"
+#include "coupling/files/record_json.hpp"
 
 namespace clogflow {
 namespace {
@@ -102,7 +102,7 @@ void write_flow_grid(const FlowGrid& grid, const std::filesystem::path& file) {
   out.write("/walls/triangles", flatten(grid.walls), {.unit = "m", .shape = {grid.walls.size(), 3, 3}});
   out.write_text("/provenance/scene", grid.scene_text);
   out.write_text("/provenance/hash", grid.hash);
-  out.write_text("/provenance/record", grid.provenance.dump(2));
+  write_record(out, grid.record);
   out.finish();
 }
 
@@ -125,7 +125,7 @@ FlowGrid read_flow_grid(const std::filesystem::path& file) {
   grid.walls = unflatten(walls);
   grid.scene_text = in.read_text("/provenance/scene");
   grid.hash = in.read_text("/provenance/hash");
-  grid.provenance = read_record(in);
+  grid.record = read_record<FlowRecord>(in);
   const std::string wrong = fault(grid);
   in.check(wrong.empty(), wrong);
   return grid;

@@ -7,9 +7,8 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "coupling/base/content_hash.hpp"
+#include "coupling/files/flow_record.hpp"
 #include "coupling/geometry/walls.hpp"
 
 namespace clogflow {
@@ -24,7 +23,7 @@ struct FlowGrid {
   Walls walls;                      ///< [m]
   std::string scene_text;           ///< effective scene it was made for
   std::string hash;                 ///< of flow_inputs(scene)
-  nlohmann::json provenance;        ///< OpenFOAM version, cells, residuals, mass-flux error per plane, date ...
+  FlowRecord record;
 
   std::size_t index(int i, int j, int k) const { return (static_cast<std::size_t>(k) * points[1] + j) * points[0] + i; }
 };

@@ -7,7 +7,7 @@
 
 #include "coupling/base/require.hpp"
 #include "coupling/files/hdf5_file.hpp"
-#include "coupling/files/provenance_record.hpp"
+#include "coupling/files/record_json.hpp"
 #include "coupling/files/snapshot_index.hpp"
 
 namespace clogflow {
@@ -207,7 +207,7 @@ void write_run_file(const RunData& run, const std::filesystem::path& file) {
   out.write("/end_time", std::vector<double>{run.end_time}, {.unit = "s", .shape = {}});
   out.write("/provenance/seed", std::vector<std::uint64_t>{run.seed}, {.unit = "1", .shape = {}});
   out.write_text("/provenance/scene", run.scene_text);
-  out.write_text("/provenance/record", run.provenance.dump(2));
+  write_record(out, run.record);
   if (!run.end_state.empty())
     out.write("/end_state", std::vector<std::uint8_t>(run.end_state.begin(), run.end_state.end()),
               {.unit = "1", .shape = {}});
@@ -225,7 +225,7 @@ void read_head(const Hdf5Reader& in, RunData& run) {
   run.end_time = end_time[0];
   run.seed = seed[0];
   run.scene_text = in.read_text("/provenance/scene");
-  run.provenance = read_record(in);
+  run.record = read_record<RunRecord>(in);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
+#include "coupling/files/run_record.hpp"
 
 namespace clogflow {
 
@@ -14,10 +14,9 @@ namespace clogflow {
 /// opens (start = "filled") or at the first step.
 struct RunData {
   std::uint64_t seed = 0;
-  std::string scene_text;     ///< effective scene
-  nlohmann::json provenance;  ///< program revision, compiler, ISA, host, flow hash ...; the names that
-                              ///< are read again: coupling/files/run_record.hpp
-  double end_time = 0;        ///< simulated [s]; the last lapse is censored here
+  std::string scene_text;  ///< effective scene
+  RunRecord record;
+  double end_time = 0;  ///< simulated [s]; the last lapse is censored here
 
   struct {
     std::vector<double> time;  ///< first crossing of passages.plane [s]
@@ -75,7 +74,7 @@ struct RunData {
   /// For a checkpoint, see coupling/base/archive.hpp.
   template <class Archive>
   void exchange(Archive& archive) {
-    archive(seed, scene_text, provenance, end_time);
+    archive(seed, scene_text, record, end_time);
     archive(passages.time, passages.id, passages.y, passages.z, passages.friction_off);
     archive(releases.off, releases.on, releases.largest_speed, releases.position);
     auto& s = series;
@@ -107,7 +106,7 @@ void write_run_file(const RunData& run, const std::filesystem::path& file);
 /// \throws Error on an unknown version, missing table or unit, unequal columns, or a truncated file
 RunData read_run_file(const std::filesystem::path& file);
 
-/// Only seed, scene, provenance and end_time. \throws Error likewise
+/// Only seed, scene, record and end_time. \throws Error likewise
 RunData read_run_head(const std::filesystem::path& file);
 
 /// Empty for a file of a program that kept none. \throws Error likewise

@@ -8,13 +8,6 @@
 
 namespace clogflow {
 
-/// A cross-section of the grid and what flows through it.
-struct PlaneFlux {
-  double x;      ///< of the plane [m]
-  double flux;   ///< along x [m3/s]
-  double error;  ///< over the flow rate of the scene, less 1 [-]
-};
-
 /// Volume flux through the plane x = origin + i spacing of the grid by the midpoint rule [m3/s].
 double grid_flux(const FlowGrid& grid, int i);
 

@@ -46,13 +46,11 @@ double measured_reach(const FlowGrid& flow, const Scene& scene, double tolerance
 }
 
 std::optional<double> channel_pressure_drop(const FlowGrid& flow, const Scene& scene) {
-  if (is_stl_channel(scene.geometry) || !flow.provenance.is_object()) return std::nullopt;
-  const auto solved = flow.provenance.find("pressure_drop");
-  if (solved == flow.provenance.end() || !solved->is_number()) return std::nullopt;
+  if (is_stl_channel(scene.geometry) || !flow.record.pressure_drop) return std::nullopt;
   const auto& g = scene.geometry;
   const double gradient =
       scene.fluid.viscosity * scene.flow.mean_velocity * DuctFlow(g.channel_width, g.neck_height).resistance();
-  return solved->get<double>() + gradient * (g.channel_length - solved_length(scene.geometry));
+  return *flow.record.pressure_drop + gradient * (g.channel_length - solved_length(scene.geometry));
 }
 
 }  // namespace clogflow

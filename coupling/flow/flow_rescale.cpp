@@ -56,7 +56,7 @@ RescaledFlow rescaled_flow(FlowGrid grid, const Scene& scene) {
                       .factor = scene.flow.mean_velocity / solved.flow.mean_velocity,
                       .error = error_per_reynolds_number * std::abs(to - from)};
   for (float& component : result.grid.velocity) component = static_cast<float>(component * result.factor);
-  result.grid.provenance["rescaled"] = {{"from", result.grid.hash}, {"factor", result.factor}, {"error", result.error}};
+  result.grid.record.rescaled = {.from = result.grid.hash, .factor = result.factor, .error = result.error};
   result.grid.scene_text = effective_scene(scene);
   result.grid.hash = content_hash(flow_inputs(scene));
   return result;

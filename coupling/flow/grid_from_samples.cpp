@@ -144,7 +144,7 @@ FlowGrid stl_grid_from_samples(const Scene& scene, const FlowSpace& space, const
           "not follow "
           "the walls); refine flow.mesh_cells_per_neck",
           100 * share, 100 * largest_lost_share);
-  grid.provenance["points_lost_at_walls"] = share;
+  grid.record.points_lost_at_walls = share;
   return grid;
 }
 

@@ -25,12 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-nlohmann::json as_json(const std::vector<PlaneFlux>& planes) {
-  nlohmann::json list = nlohmann::json::array();
-  for (const PlaneFlux& plane : planes) list.push_back({{"x", plane.x}, {"flux", plane.flux}, {"error", plane.error}});
-  return list;
-}
-
 std::string utc_now() {
   const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
   char text[32];
@@ -74,10 +68,10 @@ double check_every_plane(const FlowGrid& grid, const Scene& scene) {
 
 // The error told by the coarser solution of a case, if it has one; and the samples and the pressure
 // drop extrapolated from both where the scene wants that.
-nlohmann::json use_coarser_flow(const fs::path& folder, const Scene& scene, FoamSamples& samples,
-                                double& pressure_drop) {
+std::optional<MeshError> use_coarser_flow(const fs::path& folder, const Scene& scene, FoamSamples& samples,
+                                          double& pressure_drop) {
   const std::optional<CoarserFlow> coarse = read_coarser_flow(folder, scene);
-  if (!coarse) return nullptr;
+  if (!coarse) return {};
   const double mean = neck_mean_velocity(scene.geometry, scene.flow.mean_velocity);
   VelocityError velocity{};
   double of_drop = richardson_error(pressure_drop, coarse->pressure_drop);
@@ -89,12 +83,12 @@ nlohmann::json use_coarser_flow(const fs::path& folder, const Scene& scene, Foam
   } else {
     velocity = richardson_error(samples, coarse->samples, mean);
   }
-  return {{"cells_per_neck", {scene.flow.mesh_cells_per_neck, coarse->cells_per_neck}},
-          {"extrapolated", scene.flow.extrapolate},
-          {"velocity_rms", velocity.rms},
-          {"velocity_99_percent", velocity.most},
-          {"velocity_largest", velocity.largest},
-          {"pressure_drop", of_drop}};
+  return MeshError{.cells_per_neck = {scene.flow.mesh_cells_per_neck, coarse->cells_per_neck},
+                   .extrapolated = scene.flow.extrapolate,
+                   .velocity_rms = velocity.rms,
+                   .velocity_99_percent = velocity.most,
+                   .velocity_largest = velocity.largest,
+                   .pressure_drop = of_drop};
 }
 
 }  // namespace
@@ -109,26 +103,26 @@ FlowGrid map_flow(const fs::path& folder) {
   const FlowSpace space = flow_space(scene);
   FoamSamples samples = read_flow_samples(folder, space);
   double drop = read_pressure_drop(folder);
-  const nlohmann::json error = use_coarser_flow(folder, scene, samples, drop);
+  const std::optional<MeshError> mesh_error = use_coarser_flow(folder, scene, samples, drop);
   FlowGrid grid = space.walls.empty() ? grid_from_samples(scene, space.lattice, samples)
                                       : stl_grid_from_samples(scene, space, samples);
-  if (space.walls.empty()) grid.provenance["flow_rate_restored"] = restore_flow_rate(grid, scene);
+  FlowRecord& record = grid.record;
+  if (space.walls.empty()) record.flow_rate_restored = restore_flow_rate(grid, scene);
   grid.walls = space.walls.empty() ? channel_walls(scene.geometry) : space.walls;
   grid.scene_text = scene_text;
   grid.hash = hash;
-  grid.provenance.update(read_foam_logs(folder, space.copies));
-  grid.provenance["pressure_drop"] = scene.fluid.density * drop;
-  if (!error.is_null()) grid.provenance["mesh_error"] = error;
-  const auto planes = grid_fluxes(grid, scene, space.lattice.coordinate(space.lattice.x_sampled));
-  grid.provenance["grid_flux"] = as_json(planes);
-  grid.provenance["grid_flux_largest_error"] = check_every_plane(grid, scene);
+  record = read_foam_logs(folder, space.copies, record);
+  record.pressure_drop = scene.fluid.density * drop;
+  record.mesh_error = mesh_error;
+  record.grid_flux = grid_fluxes(grid, scene, space.lattice.coordinate(space.lattice.x_sampled));
+  record.grid_flux_largest_error = check_every_plane(grid, scene);
   const LookupError lookup = lookup_error(grid, neck_mean_velocity(scene.geometry, scene.flow.mean_velocity));
   const double side = std::min(scene.geometry.neck_width, scene.geometry.neck_height);
-  grid.provenance["lookup_error"] = {{"trilinear_rms", lookup.trilinear},
-                                     {"nearest_rms", lookup.nearest},
-                                     {"trilinear_in_neck", neck_lookup_error(Lookup::trilinear, grid.spacing, side)},
-                                     {"nearest_in_neck", neck_lookup_error(Lookup::nearest, grid.spacing, side)}};
-  grid.provenance["date"] = utc_now();
+  record.lookup_error = {.trilinear_rms = lookup.trilinear,
+                         .nearest_rms = lookup.nearest,
+                         .trilinear_in_neck = neck_lookup_error(Lookup::trilinear, grid.spacing, side),
+                         .nearest_in_neck = neck_lookup_error(Lookup::nearest, grid.spacing, side)};
+  record.date = utc_now();
   return grid;
 }
 

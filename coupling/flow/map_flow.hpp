@@ -7,7 +7,7 @@
 
 namespace clogflow {
 
-/// The regular grid of a solved flow case, with walls, effective scene, hash and provenance.
+/// The regular grid of a solved flow case, with walls, effective scene, hash and record.
 /// Velocities are those of OpenFOAM, mirrored where the channel is symmetric, and before the inlet
 /// of its mesh those of developed duct flow; planes between straight walls outside the neck have
 /// the flow rate of the scene restored (restore_flow_rate). Every plane is checked. Points inside a

@@ -184,8 +184,6 @@ double neck_mean_velocity(const Geometry& geometry, double mean_velocity) {
   return mean_velocity * geometry.channel_width / geometry.neck_width;
 }
 
-double channel_width_at(const Geometry& geometry, double x) { return channel_shape(geometry).width(x); }
-
 double channel_volume(const Geometry& geometry, double from, double to) {
   if (is_stl_channel(geometry)) return volume_between(read_stl_channel(geometry)->walls, from, to);
   const ChannelShape shape = channel_shape(geometry);

@@ -81,9 +81,6 @@ double neck_start(const Geometry& geometry);
 /// Mean velocity in the neck: the channel's flow rate over the neck's cross-section [m/s].
 double neck_mean_velocity(const Geometry& geometry, double mean_velocity);
 
-/// Width (extent along y) at x [m].
-double channel_width_at(const Geometry& geometry, double x);
-
 /// Volume of the channel between two planes x = from < to [m3].
 double channel_volume(const Geometry& geometry, double from, double to);
 

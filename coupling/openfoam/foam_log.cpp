@@ -39,37 +39,37 @@ std::string version(const std::string& log) {
   return "unknown";
 }
 
-nlohmann::json fluxes(const fs::path& file, double copies) {
+std::vector<SurfaceFlux> fluxes(const fs::path& file, double copies) {
   std::istringstream in(read_text_file(file));
-  nlohmann::json planes = nlohmann::json::array();
+  std::vector<SurfaceFlux> surfaces;
   std::string name;
   double flux = 0, inlet = 0;
   while (in >> name >> flux) {
-    if (planes.empty()) inlet = flux;
-    planes.push_back({{"surface", name}, {"flux", copies * flux}, {"error", flux / inlet - 1}});
+    if (surfaces.empty()) inlet = flux;
+    surfaces.push_back({.surface = name, .flux = copies * flux, .error = flux / inlet - 1});
   }
-  require(in.eof() && planes.size() >= 2 && inlet > 0,
+  require(in.eof() && surfaces.size() >= 2 && inlet > 0,
           "{} does not hold one positive flux a surface; run the case's Allrun again", file.string());
-  return planes;
+  return surfaces;
 }
 
 }  // namespace
 
-nlohmann::json read_foam_logs(const fs::path& folder, double copies) {
-  nlohmann::json found;
+FlowRecord read_foam_logs(const fs::path& folder, double copies, FlowRecord record) {
   const fs::path solver = folder / "log.simpleFoam";
   const std::string log = read_text_file(solver);
-  found["openfoam_version"] = version(log.substr(0, 4000));
-  found["iterations"] = number_after(log, "SIMPLE solution converged in", solver);
-  for (const char* field : {"Ux", "Uy", "Uz", "p"}) {
-    found["residuals"][field] = number_after(log, fmt::format("Solving for {}, Initial residual =", field), solver);
-  }
+  record.openfoam_version = version(log.substr(0, 4000));
+  record.iterations = number_after(log, "SIMPLE solution converged in", solver);
+  const auto residual = [&](const char* field) {
+    return number_after(log, fmt::format("Solving for {}, Initial residual =", field), solver);
+  };
+  record.residuals = {.ux = residual("Ux"), .uy = residual("Uy"), .uz = residual("Uz"), .p = residual("p")};
   const fs::path mesh = folder / "log.checkMesh";
   const std::string check = read_text_file(mesh);
-  found["cells"] = static_cast<long>(number_after(check, "\n    cells:", mesh));
-  found["non_orthogonality"] = number_after(check, "Mesh non-orthogonality Max:", mesh);
-  found["mass_flux"] = fluxes(folder / "fluxes", copies);
-  return found;
+  record.cells = static_cast<std::int64_t>(number_after(check, "\n    cells:", mesh));
+  record.non_orthogonality = number_after(check, "Mesh non-orthogonality Max:", mesh);
+  record.mass_flux = fluxes(folder / "fluxes", copies);
+  return record;
 }
 
 double read_pressure_drop(const fs::path& folder) {

@@ -13,11 +13,8 @@ namespace clogflow {
 
 enum class FlowSource { openfoam, uniform, none };
 enum class Lookup { nearest, trilinear };
-enum class ContactLawWord { hertz, hooke, jkr };
-enum class TurningWord { luding, mercury };
 enum class TorsionUpdate { objective, doubling };
 enum class BelowRoughness { off, clamp };
-enum class DragLawWord { hoef, stokes, beetstra };
 enum class DragVelocity { interstitial, superficial };
 enum class InletStart { filled, empty };
 enum class UnclogProtocol { none, release };
@@ -68,7 +65,7 @@ struct Scene {
   } particles;
 
   struct Contact {
-    ContactLawWord law = ContactLawWord::hertz;
+    std::string law = "hertz";             ///< a word of dem/physics/contact_laws.hpp
     double youngs_modulus = 0;             ///< [Pa]
     double poisson_ratio = 0;              ///< [-]
     double stiffness = 0;                  ///< of linear springs [N/m]; 0: none
@@ -76,7 +73,7 @@ struct Scene {
     double restitution = 0.7;              ///< of a dry head-on impact [-]
     double tangential_factor = 2.0 / 3.0;  ///< on the Mindlin stiffness [-]
     double tangential_damping = 1;         ///< damping ratio of sliding, rolling and torsion over the normal one [-]
-    TurningWord turning = TurningWord::luding;
+    std::string turning = "luding";        ///< how rolling and torsion turn, a word of the same
     TorsionUpdate torsion_update = TorsionUpdate::objective;
     Friction friction;
     Friction wall_friction;          ///< default: friction
@@ -93,7 +90,7 @@ struct Scene {
 
   struct Drag {
     bool enabled = false;
-    DragLawWord law = DragLawWord::hoef;
+    std::string law = "hoef";  ///< a word of dem/physics/drag_law.hpp
     DragVelocity velocity = DragVelocity::interstitial;
     bool viscous_torque = false;
     struct {

@@ -87,22 +87,25 @@ void check_flow(const SceneDraft& draft) {
   }
 }
 
-/// A constant that only one law has is given with it, and with no other.
-void check_constant_of_law(const SceneDraft& draft, std::string_view law, const char* key, const char* example) {
-  const bool chosen = word_of(draft.scene, "contact.law") == law;
+/// A constant that only some laws have is given with one of them, and with no other.
+void check_constant_of_laws(const SceneDraft& draft, std::initializer_list<std::string_view> laws, const char* key,
+                            const char* example) {
+  const std::string& law = draft.scene.contact.law;
+  const bool chosen = std::ranges::find(laws, law) != laws.end();
   require(!chosen || draft.has(key), "{}: {} is missing (contact.law = \"{}\" needs it): give it, e.g. \"{}\"",
           draft.name, key, law, example);
-  require(chosen || !draft.has(key), "{} (is only for contact.law = \"{}\")", draft.says(key), law);
+  require(chosen || !draft.has(key), "{} (is only for contact.law = \"{}\")", draft.says(key),
+          fmt::join(laws, "\" or \""));
 }
 
 void check_contact(const SceneDraft& draft) {
-  check_constant_of_law(draft, "hooke", "contact.stiffness", "10 N/m");
-  check_constant_of_law(draft, "jkr", "contact.surface_energy", "1 mJ/m2");
+  check_constant_of_laws(draft, {"hooke"}, "contact.stiffness", "10 N/m");
+  check_constant_of_laws(draft, {"jkr", "dmt"}, "contact.surface_energy", "1 mJ/m2");
   const auto& contact = draft.scene.contact;
-  require(contact.torsion_update == TorsionUpdate::objective || contact.turning == TurningWord::luding,
+  const bool plain = contact.torsion_update == TorsionUpdate::objective && contact.turning == "luding";
+  require(contact.torsion_update == TorsionUpdate::objective || contact.turning == "luding",
           "{} (is an experiment with contact.turning = \"luding\")", draft.says("contact.torsion_update"));
-  require(contact.law == ContactLawWord::hertz ||
-              (contact.torsion_update == TorsionUpdate::objective && contact.turning == TurningWord::luding),
+  require(contact.law == "hertz" || plain,
           "{} (has neither contact.turning = \"mercury\" nor contact.torsion_update = \"doubling\")",
           draft.says("contact.law"));
 }

@@ -104,8 +104,7 @@ void fill_contact(SceneDraft& draft) {
   if (!draft.has("contact.wall_friction.rolling")) contact.wall_friction.rolling = contact.friction.rolling;
   if (!draft.has("contact.wall_friction.torsion")) contact.wall_friction.torsion = contact.friction.torsion;
   // Schaefer, Dippel & Wolf, J. Phys. I 6 (1996) 5: sliding and normal springs swing in step.
-  if (contact.law == ContactLawWord::hooke && !draft.has("contact.tangential_factor"))
-    contact.tangential_factor = 2.0 / 7.0;
+  if (contact.law == "hooke" && !draft.has("contact.tangential_factor")) contact.tangential_factor = 2.0 / 7.0;
   if (!draft.has("contact.wall_youngs_modulus")) contact.wall_youngs_modulus = contact.youngs_modulus;
   if (!draft.has("contact.wall_poisson_ratio")) contact.wall_poisson_ratio = contact.poisson_ratio;
 }

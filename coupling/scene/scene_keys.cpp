@@ -19,6 +19,10 @@ constexpr Range fraction{.low = 0, .high = 1, .low_allowed = false};
 // Its dashpot grows like e^(-1/2) and limits the step; 0.001 is as good as none.
 constexpr Range restitution{.low = 1e-3, .high = 1};
 
+int place_of(std::string_view word, std::initializer_list<const char*> words) {
+  return static_cast<int>(std::ranges::find(words, word) - words.begin());
+}
+
 // A member of Scene is named as its key, so one spelling serves as both.
 #define AT(member) \
   [](Scene & scene) -> auto& { return scene.member; }
@@ -41,6 +45,16 @@ constexpr Range restitution{.low = 1e-3, .high = 1};
                       [](Scene& scene, int word) {                                          \
                         scene.member = static_cast<decltype(scene.member)>(word);           \
                       }},                                                                   \
+        doc \
+  }
+
+// A word of a registry of laws, which the scene holds as it is.
+#define LAW(member, doc, ...)                                                                            \
+  Key {                                                                                                  \
+#member,                                                                                               \
+        WordSlot{{__VA_ARGS__},                                                                            \
+                 [](const Scene& scene) { return place_of(scene.member, {__VA_ARGS__}); },                 \
+                 [](Scene& scene, int word) { scene.member = std::initializer_list<const char*>{__VA_ARGS__}.begin()[word]; }}, \
         doc \
   }
 
@@ -93,15 +107,15 @@ std::vector<Key> make_keys() {
       NUMBER(particles.roughness, length, positive, "xi; default 0.005 diameter"),
       TEXT(particles.initial, "CSV file of initial particles: x,y,z,radius,vx,vy,vz,wx,wy,wz in SI units"),
 
-      WORD(contact.law, "normal force of a contact: Hertz, a linear spring, or Hertz that sticks (Johnson, Kendall, Roberts); default hertz", "hertz", "hooke", "jkr"),
+      LAW(contact.law, "normal force of a contact: Hertz, a linear spring, or Hertz that sticks: soft spheres (Johnson, Kendall, Roberts), hard ones (Derjaguin, Muller, Toporov); default hertz", "hertz", "hooke", "jkr", "dmt"),
       NUMBER(contact.youngs_modulus, pressure, positive, "of the particles"),
       NUMBER(contact.poisson_ratio, number, (Range{.low = 0, .high = 0.5, .high_allowed = false}), "of the particles"),
       NUMBER(contact.stiffness, stiffness, positive, "of the linear spring of law hooke"),
-      NUMBER(contact.surface_energy, stiffness, positive, "work of adhesion of law jkr: to part both surfaces, per area"),
+      NUMBER(contact.surface_energy, stiffness, positive, "work of adhesion of laws jkr and dmt: to part both surfaces, per area"),
       NUMBER(contact.restitution, number, restitution, "speed after over before a dry head-on impact; default 0.7"),
       NUMBER(contact.tangential_factor, number, positive, "on the tangential stiffness; default 2/3, for law hooke 2/7 of its spring"),
       NUMBER(contact.tangential_damping, number, non_negative, "sliding, rolling and torsion damping over the normal one; default 1"),
-      WORD(contact.turning, "how rolling and torsion turn: lever R* and stiffness of Luding, or 2 R* and full stiffness of MercuryDPM; default luding", "luding", "mercury"),
+      LAW(contact.turning, "how rolling and torsion turn: lever R* and stiffness of Luding, or 2 R* and full stiffness of MercuryDPM; default luding", "luding", "mercury"),
       WORD(contact.torsion_update, "how the torsion spring is advanced; doubling is an experiment", "objective", "doubling"),
       NUMBER(contact.friction.sliding, number, non_negative, "Coulomb coefficient; default 0"),
       NUMBER(contact.friction.rolling, number, non_negative, "default 0"),
@@ -118,7 +132,7 @@ std::vector<Key> make_keys() {
       NUMBER(lubrication.cutoff, length, positive, "largest gap; default diameter / 2"),
 
       SWITCH(drag.enabled, "default true when the section is present"),
-      WORD(drag.law, "drag in a pack over that of a lone sphere: van der Hoef et al. at Re = 0, none, or Beetstra et al. with the slip's Reynolds number; default hoef", "hoef", "stokes", "beetstra"),
+      LAW(drag.law, "drag in a pack over that of a lone sphere: van der Hoef et al. at Re = 0, none, or Beetstra et al. with the slip's Reynolds number; default hoef", "hoef", "stokes", "beetstra"),
       WORD(drag.velocity, "what f(porosity) multiplies", "interstitial", "superficial"),
       SWITCH(drag.viscous_torque, "default false"),
       NUMBER(drag.fluctuation.strength, number, non_negative, "standard deviation over mean drag; default 0: off"),
@@ -179,11 +193,6 @@ const Key* find_key(std::string_view path) {
   for (const Key& key : scene_keys())
     if (key.path == path) return &key;
   return nullptr;
-}
-
-std::string_view word_of(const Scene& scene, std::string_view path) {
-  const auto& slot = std::get<WordSlot>(find_key(path)->slot);
-  return slot.words[static_cast<std::size_t>(slot.get(scene))];
 }
 
 std::string_view section_of(std::string_view path) {

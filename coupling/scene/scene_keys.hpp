@@ -51,7 +51,7 @@ struct SwitchSlot {
 struct TextSlot {
   std::string& (*at)(Scene&);
 };
-/// One of several words; a word's place in the list is its enumerator's value.
+/// One of several words, told by its place in the list.
 struct WordSlot {
   std::vector<std::string_view> words;
   int (*get)(const Scene&);
@@ -78,9 +78,6 @@ const std::vector<Key>& scene_keys();
 
 /// nullptr if there is none.
 const Key* find_key(std::string_view path);
-
-/// The word that a scene has at a key of words.
-std::string_view word_of(const Scene& scene, std::string_view path);
 
 /// "contact" for "contact.friction.sliding"; empty for a key before the first section.
 std::string_view section_of(std::string_view path);

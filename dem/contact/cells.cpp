@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "coupling/base/expect.hpp"
 #include "dem/kernels/grid_place.hpp"
 
 namespace clogflow {
@@ -16,6 +17,7 @@ constexpr int most_cells_per_axis = 512;
 }  // namespace
 
 Cells::Cells(const Particles& p, double size) {
+  expect(size > 0);
   constexpr double ParticleState::*axis[3] = {&ParticleState::x, &ParticleState::y, &ParticleState::z};
   std::array<double, 3> low{}, edge{};
   for (int a = 0; a < 3; ++a) {

@@ -1,6 +1,7 @@
 #include "dem/contact/contact_set.hpp"
 
-#include "dem/state/sound.hpp"
+#include "coupling/base/expect.hpp"
+#include "dem/state/valid.hpp"
 
 namespace clogflow {
 
@@ -38,12 +39,14 @@ void ContactSet::make_room() {
 }
 
 Springs<double> ContactSet::springs(std::size_t row) const {
+  expect(row < touching_.count + watched_.count);
   const auto& part = springs_[row / widest_vector].part;
   const std::size_t k = row % widest_vector;
   return {{part[0][k], part[1][k], part[2][k]}, {part[3][k], part[4][k], part[5][k]}, part[6][k]};
 }
 
 void ContactSet::add(const Candidates& list, int candidate, const Springs<double>& s) {
+  expect(candidate >= 0 && static_cast<std::size_t>(candidate) < list.count);
   const double values[7] = {s.sliding.x, s.sliding.y, s.sliding.z, s.rolling.x, s.rolling.y, s.rolling.z, s.torsion};
   const std::size_t row = touching_.count;
   touching_.append(list.first[candidate], list.second[candidate], candidate);
@@ -64,7 +67,7 @@ ContactPointers ContactSet::pointers() {
   return pointers;
 }
 
-bool ContactSet::sound(std::size_t candidates, std::size_t firsts, std::size_t seconds) const {
+bool ContactSet::valid(std::size_t candidates, std::size_t firsts, std::size_t seconds) const {
   const std::size_t moving = touching_.count + watched_.count;
   if (moving < touching_.count || moving > candidates || films_.count > candidates) return false;
   if (moving + films_.count == 0) return true;

@@ -46,7 +46,7 @@ public:
 
   /// Whether a set read from a file fits `candidates` and points at nothing beyond these many particles,
   /// or particles and planes.
-  bool sound(std::size_t candidates, std::size_t firsts, std::size_t seconds) const;
+  bool valid(std::size_t candidates, std::size_t firsts, std::size_t seconds) const;
 
   template <class Archive>
   void exchange(Archive& archive) {

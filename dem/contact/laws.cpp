@@ -2,7 +2,6 @@
 
 #include <string_view>
 
-#include "coupling/scene/scene_keys.hpp"
 #include "dem/physics/contact_laws.hpp"
 
 namespace clogflow {
@@ -12,8 +11,8 @@ namespace {
 ContactLaw contact_law(const Scene& scene, const Material& other, const Friction& friction) {
   const auto& c = scene.contact;
   const std::string_view turning =
-      c.torsion_update == TorsionUpdate::doubling ? "doubling" : word_of(scene, "contact.turning");
-  return make_contact_law(word_of(scene, "contact.law"), turning,
+      c.torsion_update == TorsionUpdate::doubling ? "doubling" : std::string_view(c.turning);
+  return make_contact_law(c.law, turning,
                           {.own = {c.youngs_modulus, c.poisson_ratio},
                            .other = other,
                            .restitution = c.restitution,

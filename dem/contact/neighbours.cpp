@@ -5,7 +5,8 @@
 #include <functional>
 #include <numeric>
 
-#include "dem/state/sound.hpp"
+#include "coupling/base/expect.hpp"
+#include "dem/state/valid.hpp"
 
 namespace clogflow {
 
@@ -42,6 +43,7 @@ Memory remember(const Neighbours& list, const std::vector<int>& renumbered, std:
 }  // namespace
 
 std::vector<int> Neighbours::rebuild(Particles& p, const std::vector<std::uint8_t>& leaving, const Reach& reach) {
+  expect(leaving.empty() || leaving.size() == p.size());
   std::vector<int> staying;
   for (std::size_t i = 0; i < p.size(); ++i)
     if (leaving.empty() || !leaving[i]) staying.push_back(static_cast<int>(i));
@@ -67,6 +69,7 @@ std::vector<int> Neighbours::rebuild(Particles& p, const std::vector<std::uint8_
     for (int c = memory.start[first[k]]; c < memory.start[first[k] + 1]; ++c)
       if (memory.contacts[c].j == second[k]) contacts.add(list, static_cast<int>(k), memory.contacts[c].springs);
   measure(p);
+  expect(first.size() == second.size() && contacts.size() <= first.size());
   return renumbered;
 }
 
@@ -90,10 +93,10 @@ void Neighbours::measure(const Particles& p) {
   equal_inertia = equal ? p[0].inertia : 0;
 }
 
-bool Neighbours::sound(std::size_t particles) const {
+bool Neighbours::valid(std::size_t particles) const {
   return first.size() == second.size() &&
          (first.empty() || (point_below(first, particles) && point_below(second, particles))) &&
-         contacts.sound(first.size(), particles, particles);
+         contacts.valid(first.size(), particles, particles);
 }
 
 }  // namespace clogflow

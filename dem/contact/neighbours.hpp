@@ -39,7 +39,7 @@ public:
   void measure(const Particles& particles);
 
   /// Whether lists read from a file fit these many particles.
-  bool sound(std::size_t particles) const;
+  bool valid(std::size_t particles) const;
 
   template <class Archive>
   void exchange(Archive& archive) {

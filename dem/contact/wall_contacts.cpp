@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "dem/physics/lubrication.hpp"
-#include "dem/state/sound.hpp"
+#include "dem/state/valid.hpp"
 
 namespace clogflow {
 
@@ -227,7 +227,7 @@ std::vector<WallContacts::Gap> WallContacts::gaps(const Particles& p, double wid
   return all;
 }
 
-bool WallContacts::sound(std::size_t particles) const {
+bool WallContacts::valid(std::size_t particles) const {
   const auto is_particle = [&](int i) { return i >= 0 && static_cast<std::size_t>(i) < particles; };
   const std::size_t slots = slot_.size();
   if (slots > 0) {
@@ -235,7 +235,7 @@ bool WallContacts::sound(std::size_t particles) const {
       if (values->size() != slots) return false;
     if (particle_.size() != slots || !point_below(particle_, particles) || !point_below(slot_, slots)) return false;
   }
-  return contacts_.sound(slots, particles, slots) &&
+  return contacts_.valid(slots, particles, slots) &&
          std::all_of(corners_.begin(), corners_.end(),
                      [&](const Corner& c) {
                        return is_particle(c.particle) &&

@@ -74,7 +74,7 @@ public:
   std::vector<Gap> gaps(const Particles& particles, double widest) const;
 
   /// Whether lists read from a file fit these many particles, and these walls.
-  bool sound(std::size_t particles) const;
+  bool valid(std::size_t particles) const;
 
   /// Everything but the surface, which the scene gives.
   template <class Archive>

@@ -5,6 +5,7 @@
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
 
+#include "coupling/base/expect.hpp"
 #include "coupling/base/require.hpp"
 
 namespace clogflow {
@@ -35,6 +36,7 @@ Rows film_rows(const std::vector<Film>& films, double kick, const Eigen::VectorX
   rows.reserve(6 * count + unknowns);
   for (Eigen::Index k = 0; k < count; ++k) {
     const Film& film = films[static_cast<std::size_t>(k)];
+    expect(film.first < scale.size() && film.second < scale.size() && film.first != film.second);
     const double root = std::sqrt(kick * film.coefficient);
     const auto put = [&](int particle, double sign) {
       if (particle < 0) return;

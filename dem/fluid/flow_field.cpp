@@ -20,7 +20,7 @@ std::array<double, 3> FlowField::at(double x, double y, double z) const {
   return lookup_ == Lookup::nearest ? nearest(place) : trilinear(place);
 }
 
-bool FlowField::describe(FlowTask& task) const {
+bool FlowField::set_nearest(FlowTask& task) const {
   if (!grid_ || lookup_ != Lookup::nearest) return false;
   task.velocity = grid_->velocity.data();
   task.points_per_length = 1 / grid_->spacing;

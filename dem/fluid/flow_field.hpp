@@ -24,7 +24,7 @@ public:
 
   /// Fills in the grid for the lookup of many places at once.
   /// \return whether there is one: a grid that is read by its nearest point
-  bool describe(FlowTask& task) const;
+  bool set_nearest(FlowTask& task) const;
 
   /// Half the curl of V0, the spin of a lone sphere carried along, by central differences over one
   /// spacing [rad/s]

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coupling/scene/scene_keys.hpp"
 #include "dem/physics/dimensionless.hpp"
 
 namespace clogflow {
 
-const DragLaw& drag_law(const Scene& scene) { return find_drag_law(word_of(scene, "drag.law")); }
+const DragLaw& drag_law(const Scene& scene) { return find_drag_law(scene.drag.law); }
 
 Fluid::Fluid(const Scene& scene, FlowField field, PorosityStrips strips)
     : field_(std::move(field)),
@@ -50,7 +49,7 @@ void Fluid::evaluate(Particles& p) {
                 uy_.data(),
                 uz_.data(),
                 coefficient_.data()};
-  if (field_.describe(task)) {
+  if (field_.set_nearest(task)) {
     kernels_.sample_nearest(task);
   } else {
     for (std::size_t i = 0; i < p.size(); ++i) {

@@ -74,7 +74,7 @@ std::array<double, 3> FluidNoise::fluctuation(std::size_t i) const {
   return {s * xi_[3 * i], s * xi_[3 * i + 1], s * xi_[3 * i + 2]};
 }
 
-bool FluidNoise::sound() const {
+bool FluidNoise::valid() const {
   return xi_.size() == 3 * ids_.size() && finite(xi_) && finite({pulse_, fluctuation_.next, pulsation_.next});
 }
 

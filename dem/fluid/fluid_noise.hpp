@@ -37,7 +37,7 @@ public:
   std::array<double, 3> fluctuation(std::size_t i) const;
 
   /// Whether noise read from a file is one that a run can have.
-  bool sound() const;
+  bool valid() const;
 
   template <class Archive>
   void exchange(Archive& archive) {

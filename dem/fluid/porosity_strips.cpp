@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupling/base/expect.hpp"
 #include "coupling/base/require.hpp"
 #include "dem/physics/porosity.hpp"
 
@@ -29,6 +30,7 @@ void PorosityStrips::update(const Particles& p) {
     const double r = p[i].radius;
     if (p[i].x - r >= end || p[i].x + r <= start_) continue;
     const int from = strip_at(p[i].x - r), to = strip_at(p[i].x + r);
+    expect(from >= 0 && from <= to && static_cast<std::size_t>(to) < solid.size());
     if (from == to && p[i].x + r <= end && p[i].x - r >= start_) {
       solid[from] += sphere_volume(r);
       continue;
@@ -46,7 +48,7 @@ void PorosityStrips::update(const Particles& p) {
   }
 }
 
-bool PorosityStrips::sound() const {
+bool PorosityStrips::valid() const {
   return porosity_.size() == volume_.size() && std::all_of(porosity_.begin(), porosity_.end(), [](double e) {
            return std::isfinite(e) && e >= least_porosity;
          });

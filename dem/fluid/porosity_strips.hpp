@@ -41,7 +41,7 @@ public:
   double packing_fraction() const;
 
   /// Whether porosities read from a file are those of these strips.
-  bool sound() const;
+  bool valid() const;
 
   template <class Archive>
   void exchange(Archive& archive) {

@@ -40,7 +40,7 @@ struct Moved {
   const AdvanceTask task = given;
   const ParticlePointers& p = task.particles;
   const Lanes kick(task.kick), drift(task.drift), half(0.5), plane(task.passage);
-  const Lanes thrown(task.thrown * task.thrown);
+  const Lanes too_fast(task.too_fast * task.too_fast);
   const double* fluid[3] = {task.ux, task.uy, task.uz};
   const double* turning[3] = {task.sx, task.sy, task.sz};
   const Lanes per_kick(1 / task.kick);
@@ -82,7 +82,7 @@ struct Moved {
       m.spin.c[a] += spin_share * spin_rate * torque;
     }
     m.store(p, from, used);
-    if (stdx::all_of(speed2 < thrown)) clear_loads(p, from, used);
+    if (stdx::all_of(speed2 < too_fast)) clear_loads(p, from, used);
     // Not max(): a NaN must get in and stay, whatever follows it.
     fastest = select(speed2 > fastest || speed2 != speed2, speed2, fastest);
   }

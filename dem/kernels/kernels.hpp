@@ -118,8 +118,8 @@ struct AdvanceTask {
   double kick, drift;          ///< [s]
   double mass, inertia;        ///< of every particle, if all are equal; else 0
   bool implicit_drag;
-  double passage;  ///< place of the passage plane [m]
-  double thrown;   ///< a particle as fast as this keeps its loads, so that they can be named [m/s]
+  double passage;   ///< place of the passage plane [m]
+  double too_fast;  ///< a particle as fast as this keeps its loads, so that they can be named [m/s]
 };
 
 struct AdvanceTally {

@@ -65,15 +65,14 @@ template <class V>
 
 /// Rows to columns; its own inverse.
 [[gnu::always_inline]] inline void transpose(RawQuad (&q)[4]) {
-  typedef long long Mask __attribute__((vector_size(32)));
-  const RawQuad low_01 = __builtin_shuffle(q[0], q[1], Mask{0, 4, 2, 6});
-  const RawQuad high_01 = __builtin_shuffle(q[0], q[1], Mask{1, 5, 3, 7});
-  const RawQuad low_23 = __builtin_shuffle(q[2], q[3], Mask{0, 4, 2, 6});
-  const RawQuad high_23 = __builtin_shuffle(q[2], q[3], Mask{1, 5, 3, 7});
-  q[0] = __builtin_shuffle(low_01, low_23, Mask{0, 1, 4, 5});
-  q[1] = __builtin_shuffle(high_01, high_23, Mask{0, 1, 4, 5});
-  q[2] = __builtin_shuffle(low_01, low_23, Mask{2, 3, 6, 7});
-  q[3] = __builtin_shuffle(high_01, high_23, Mask{2, 3, 6, 7});
+  const RawQuad low_01 = __builtin_shufflevector(q[0], q[1], 0, 4, 2, 6);
+  const RawQuad high_01 = __builtin_shufflevector(q[0], q[1], 1, 5, 3, 7);
+  const RawQuad low_23 = __builtin_shufflevector(q[2], q[3], 0, 4, 2, 6);
+  const RawQuad high_23 = __builtin_shufflevector(q[2], q[3], 1, 5, 3, 7);
+  q[0] = __builtin_shufflevector(low_01, low_23, 0, 1, 4, 5);
+  q[1] = __builtin_shufflevector(high_01, high_23, 0, 1, 4, 5);
+  q[2] = __builtin_shufflevector(low_01, low_23, 2, 3, 6, 7);
+  q[3] = __builtin_shufflevector(high_01, high_23, 2, 3, 6, 7);
 }
 #endif
 

@@ -10,29 +10,22 @@
 namespace clogflow {
 namespace {
 
+/// The loop of one set of terms: bit 0 of `key` sliding, bit 1 rolling, bit 2 torsion.
+template <int key, class Loop>
+ContactTally loop_of(const Loop& loop) {
+  return loop.template operator()<ContactTerms{(key & 1) != 0, (key & 2) != 0, (key & 4) != 0}>();
+}
+
 /// Calls the loop that is compiled for these terms.
 template <Loops loops, class Loop>
 ContactTally pick(ContactTerms terms, const Loop& loop) {
-  constexpr ContactTerms all{true, true, true};
-  if constexpr (loops == Loops::single) return loop.template operator()<all>();
-  const int key = terms.sliding + 2 * terms.rolling + 4 * terms.torsion;
-  switch (key) {
-    case 0:
-      return loop.template operator()<ContactTerms{false, false, false}>();
-    case 1:
-      return loop.template operator()<ContactTerms{true, false, false}>();
-    case 2:
-      return loop.template operator()<ContactTerms{false, true, false}>();
-    case 3:
-      return loop.template operator()<ContactTerms{true, true, false}>();
-    case 4:
-      return loop.template operator()<ContactTerms{false, false, true}>();
-    case 5:
-      return loop.template operator()<ContactTerms{true, false, true}>();
-    case 6:
-      return loop.template operator()<ContactTerms{false, true, true}>();
-    default:
-      return loop.template operator()<all>();
+  if constexpr (loops == Loops::single) {
+    return loop_of<7>(loop);
+  } else {
+    constexpr ContactTally (*all[])(const Loop&) = {loop_of<0, Loop>, loop_of<1, Loop>, loop_of<2, Loop>,
+                                                    loop_of<3, Loop>, loop_of<4, Loop>, loop_of<5, Loop>,
+                                                    loop_of<6, Loop>, loop_of<7, Loop>};
+    return all[terms.sliding + 2 * terms.rolling + 4 * terms.torsion](loop);
   }
 }
 

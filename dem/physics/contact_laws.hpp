@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "dem/physics/contact_law.hpp"
+#include "dem/physics/laws/dmt.hpp"
 #include "dem/physics/laws/hertz.hpp"
 #include "dem/physics/laws/hooke.hpp"
 #include "dem/physics/laws/jkr.hpp"
@@ -30,7 +31,7 @@ struct KindList {
 using ContactKinds =
     KindList<ContactKind<Hertz, LudingTurning, Loops::tailored>, ContactKind<Hertz, MercuryTurning, Loops::single>,
              ContactKind<Hertz, DoublingTurning, Loops::single>, ContactKind<Hooke, LudingTurning, Loops::single>,
-             ContactKind<Jkr, LudingTurning, Loops::single>>;
+             ContactKind<Jkr, LudingTurning, Loops::single>, ContactKind<Dmt, LudingTurning, Loops::single>>;
 
 /// The row of a law and a way of turning, with its constants.
 /// \throws Error if there is no such row

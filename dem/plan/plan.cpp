@@ -146,7 +146,7 @@ std::vector<std::string> warnings(const Plan& plan) {
   if (plan.dt > plan.limits.smallest())
     lines.push_back(
         fmt::format("the step of {:.3g} s is unstable: the limit is {:.3g} s", plan.dt, plan.limits.smallest()));
-  for (const std::string& line : {way_warning(plan.limits, plan.dt), impact_warning(plan.limits, plan.dt)})
+  for (const std::string& line : {passing_warning(plan.limits, plan.dt), impact_warning(plan.limits, plan.dt)})
     if (!line.empty()) lines.push_back(line);
   if (plan.way_limit > 0 && plan.dt > plan.way_limit)
     lines.push_back(

@@ -34,13 +34,15 @@ public:
   void scatter(Particles& particles, Random& random);
 
   std::int64_t inserted() const { return next_id_; }
+  /// Particles that there ever were, those from the start too.
+  std::int64_t numbered() const { return first_id_ + next_id_; }
   std::int64_t refused() const { return refused_; }  ///< attempts that found no room
 
   /// Whether it tried and nothing came in since its clock began.
   bool shut() const { return fed_ == 0 && refused_ > 0; }
 
   /// Whether counts read from a file are counts.
-  bool sound() const {
+  bool valid() const {
     constexpr std::int64_t most = std::int64_t{1} << 60;
     return next_id_ >= 0 && next_id_ < most && refused_ >= 0 && refused_ < most && fed_ >= 0 && fed_ < most;
   }

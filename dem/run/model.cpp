@@ -8,11 +8,10 @@
 #include "coupling/flow/flow_rescale.hpp"
 #include "coupling/geometry/channel_geometry.hpp"
 #include "coupling/geometry/channel_shape.hpp"
-#include "coupling/geometry/stl.hpp"
-#include "coupling/geometry/stl_channel.hpp"
 #include "coupling/geometry/stl_surface.hpp"
 #include "dem/physics/porosity.hpp"
 #include "dem/physics/time_step.hpp"
+#include "dem/run/model_walls.hpp"
 #include "dem/state/initial_particles.hpp"
 
 namespace clogflow {
@@ -22,132 +21,6 @@ namespace {
 /// Distance that two particles may approach each other before the pair list is made anew, as a share
 /// of the diameter: the usual choice, not tuned. It changes the cost only.
 constexpr double skin_share = 0.1;
-
-/// A rectangle as two triangles; corners in order around it, counter-clockwise from the fluid.
-void add_rectangle(Walls& walls, const std::array<Vec3, 4>& c) {
-  walls.push_back({{c[0], c[1], c[2]}});
-  walls.push_back({{c[0], c[2], c[3]}});
-}
-
-/// A wall across the channel at x whose normal points along `facing` (+1 or -1).
-Walls cross_wall(double x, double width, double height, int facing) {
-  const double y = width / 2;
-  std::array<Vec3, 4> corner{Vec3{x, -y, 0}, Vec3{x, y, 0}, Vec3{x, y, height}, Vec3{x, -y, height}};
-  if (facing < 0) std::swap(corner[1], corner[3]);
-  Walls walls;
-  add_rectangle(walls, corner);
-  return walls;
-}
-
-Walls box_walls(const Vec3& low, const Vec3& high) {
-  Walls walls;
-  for (int a = 0; a < 3; ++a)
-    for (const bool upper : {false, true}) {
-      const int b = (a + 1) % 3, c = (a + 2) % 3;
-      std::array<Vec3, 4> corner;
-      for (Vec3& v : corner) v[a] = upper ? high[a] : low[a];
-      const double lb = low[b], hb = high[b], lc = low[c], hc = high[c];
-      corner[0][b] = lb, corner[1][b] = hb, corner[2][b] = hb, corner[3][b] = lb;
-      corner[0][c] = lc, corner[1][c] = lc, corner[2][c] = hc, corner[3][c] = hc;
-      if (upper) std::swap(corner[1], corner[3]);
-      add_rectangle(walls, corner);
-    }
-  return walls;
-}
-
-void enclose(Domain& domain, const Walls& walls) {
-  domain.low = Vec3::Constant(1e300), domain.high = Vec3::Constant(-1e300);
-  for (const Triangle& t : walls)
-    for (const Vec3& corner : t.corner)
-      domain.low = domain.low.cwiseMin(corner), domain.high = domain.high.cwiseMax(corner);
-}
-
-/// What a file's walls are worth a word for, or empty.
-std::string note_on(const StlSurface& surface, const std::string& file) {
-  std::string note = surface.note.empty() ? "" : file + ": " + surface.note;
-  if (surface.rims.empty()) return note;
-  const WallRim& rim = surface.rims[0];
-  return note + (note.empty() ? "" : "; ") +
-         fmt::format(
-             "{}: the walls are open along {} rim{}, the shortest {:.3g} m around at ({:.4g}, {:.4g}, "
-             "{:.4g}) m: a particle that leaves the walls' extent there ends the run",
-             file, surface.rims.size(), surface.rims.size() > 1 ? "s" : "", rim.length, rim.place.x(), rim.place.y(),
-             rim.place.z());
-}
-
-/// Walls of more particle diameters than this are most likely counted in another unit.
-constexpr double unlikely_extent = 1e5;
-
-void check_extent(const Walls& walls, const Scene& scene, std::string& note) {
-  const double extent = largest_extent(walls), diameter = scene.particles.diameter;
-  const std::string words = fmt::format("the walls of geometry.stl = {} are {}: is geometry.stl_unit right?",
-                                        scene.geometry.stl, extent_words(walls, scene.geometry));
-  require(diameter < extent, "particles.diameter = {:.3g} m (larger than all walls; {})", diameter, words);
-  if (extent > unlikely_extent * diameter)
-    note += fmt::format("{}{:.2g} particle diameters; {}", note.empty() ? "" : "; ", extent / diameter, words);
-}
-
-/// The walls of a laboratory from the scene's file.
-Walls file_walls(const Scene& scene, std::string& note) {
-  Walls walls = read_stl(scene.geometry.stl);
-  for (Triangle& t : walls)
-    for (Vec3& corner : t.corner) corner *= stl_unit(scene.geometry);
-  StlSurface surface = stl_surface(std::move(walls), scene.geometry);
-  note = note_on(surface, scene.geometry.stl);
-  surface.mesh = {};
-  walls = surface.joined.walls();
-  check_extent(walls, scene, note);
-  return walls;
-}
-
-/// In a laboratory, where a plane at 0 is none.
-void count_at(Model& model, double plane) {
-  if (plane == 0) return;
-  require(plane > model.domain.low.x() && plane < model.domain.high.x(),
-          "passages.plane = {:.6g} m (must be within the walls, from x = {:.6g} to {:.6g} m)", plane,
-          model.domain.low.x(), model.domain.high.x());
-  model.domain.passage = plane;
-}
-
-bool is_channel(const Scene& s) { return s.geometry.present && (s.geometry.stl.empty() || is_stl_channel(s.geometry)); }
-
-/// Walls and limits: the box of a laboratory, the file's walls, or the channel (of keys or of a file) with a
-/// closed left end, so that no particle leaves against the flow.
-void build_walls(Model& model, const FlowGrid* flow) {
-  const Scene& s = model.scene;
-  if (s.box.present) {
-    model.walls = box_walls(Vec3(s.box.min.data()), Vec3(s.box.max.data()));
-    enclose(model.domain, model.walls);
-    count_at(model, s.passages.plane);
-  }
-  if (!s.geometry.present) return;
-  if (is_channel(s)) {
-    Walls channel;
-    // A flow serves channels of other lengths; walls from a file lie in it, whatever became of the file.
-    if (!is_stl_channel(s.geometry)) {
-      channel = channel_walls(s.geometry);
-    } else if (flow) {
-      channel = flow->walls;
-    } else {
-      const auto measured = read_stl_channel(s.geometry);
-      channel = measured->walls;
-      model.walls_note = measured->note;
-    }
-    model.walls.insert(model.walls.end(), channel.begin(), channel.end());
-    const Walls end = cross_wall(channel_start(s.geometry), s.geometry.channel_width, s.geometry.neck_height, 1);
-    model.walls.insert(model.walls.end(), end.begin(), end.end());
-    model.gate = cross_wall(neck_start(s.geometry), s.geometry.neck_width, s.geometry.neck_height, -1);
-    enclose(model.domain, model.walls);
-    model.domain.outlet = channel_end(s.geometry);
-    model.domain.passage = s.passages.plane;
-  } else {
-    const Walls stl = file_walls(s, model.walls_note);
-    model.walls.insert(model.walls.end(), stl.begin(), stl.end());
-    enclose(model.domain, model.walls);
-    if (flow) model.domain.outlet = model.domain.high.x();
-    count_at(model, s.passages.plane);
-  }
-}
 
 /// v in v_c = 0.1 v, or the fastest initial particle as v_c where nothing flows.
 double collision_speed(const Scene& scene, const std::vector<Particle>& initial) {
@@ -184,10 +57,6 @@ void choose_step(Model& model, const std::vector<Particle>& initial) {
       s.time.end, s.time.end / model.dt, model.dt, most_steps);
   model.steps = static_cast<std::int64_t>(std::llround(std::ceil(s.time.end / model.dt - 1e-9)));
 }
-
-}  // namespace
-
-namespace {
 
 /// A sphere that turns further in a step knows no direction of sliding; its spin is a mistake [rad].
 constexpr double furthest_turn = 1;
@@ -262,6 +131,8 @@ Model make_model(const Scene& scene, const FlowGrid* flow, const std::vector<Par
   model.reach = {
       skin_share * scene.particles.diameter,
       std::max({model.laws.film.farthest, model.laws.pair.reach(largest / 2), model.laws.wall.contact.reach(largest)})};
+  model.largest_radius = scene.inlet.enabled ? scene.particles.diameter / 2 : 0;
+  for (const Particle& p : initial) model.largest_radius = std::max(model.largest_radius, p.radius);
   build_walls(model, flow);
   model.weld = weld_length(model.walls, scene.geometry);
   choose_step(model, initial);

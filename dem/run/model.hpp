@@ -21,9 +21,10 @@ struct Model {
   Scene scene;
   Laws laws;
   Reach reach;
-  Walls walls, gate;       ///< the gate closes the neck while the channel is filled
-  double weld = 0;         ///< corners of the walls that are nearer than this are one [m]
-  std::string walls_note;  ///< one line on walls from a file that are open, or empty
+  Walls walls, gate;          ///< the gate closes the neck while the channel is filled
+  double largest_radius = 0;  ///< of any particle that will be [m]
+  double weld = 0;            ///< corners of the walls that are nearer than this are one [m]
+  std::string walls_note;     ///< one line on walls from a file that are open, or empty
   Domain domain;
   double contact_time = 0;  ///< tau_Hertz [s]
   double dt = 0;            ///< [s]

@@ -122,7 +122,7 @@ StepLimits expected_limits(const StepScene& asked, const std::vector<Particle>& 
   return limits;
 }
 
-std::string describe(const StepLimits& l, double dt) {
+std::string limit_words(const StepLimits& l, double dt) {
   std::string line = fmt::format("dt = {:.3g} s", dt);
   const auto ratio = [&](const char* name, double limit) {
     if (limit > 0) line += fmt::format(", dt/{} {:.2g}", name, dt / limit);
@@ -135,7 +135,7 @@ std::string describe(const StepLimits& l, double dt) {
   return line;
 }
 
-std::string way_warning(const StepLimits& l, double dt) {
+std::string passing_warning(const StepLimits& l, double dt) {
   const double share = dt / l.passing;
   if (share <= long_share) return {};
   return fmt::format(

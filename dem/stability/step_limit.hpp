@@ -49,7 +49,7 @@ struct StepChoice {
 StepLimits expected_limits(const StepScene& asked, const std::vector<Particle>& initial);
 
 /// "dt = 7e-8 s: dt/tau_Hertz 0.02, ... dt/contacts 0.3"
-std::string describe(const StepLimits& limits, double dt);
+std::string limit_words(const StepLimits& limits, double dt);
 
 /// Above this share of a limit a run warns: contacts that carry twice the load (the limit falls with its sixth
 /// root) would be above it.
@@ -67,7 +67,7 @@ inline constexpr double deep_overlap = 0.1;
 inline constexpr double longest_share = 0.25, long_share = 0.1;
 
 /// One line on a step in which particles go far, or nothing.
-std::string way_warning(const StepLimits& limits, double dt);
+std::string passing_warning(const StepLimits& limits, double dt);
 
 /// Largest error of the restitution of one impact at the expected overlap: 0.36 (dt / impact)^2 of it, measured at
 /// e = 0.7 over the phases of the step at which the contact is met. The mean over many impacts stays within 1 %.

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dem/state/sound.hpp"
+#include "coupling/base/expect.hpp"
+#include "dem/state/valid.hpp"
 
 namespace clogflow {
 
@@ -11,6 +12,7 @@ namespace {
 
 template <class T>
 void gather(std::vector<T>& values, const std::vector<int>& order) {
+  expect(order.size() <= values.size() && (order.empty() || point_below(order, values.size())));
   std::vector<T> taken(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) taken[k] = values[order[k]];
   values.swap(taken);
@@ -18,7 +20,7 @@ void gather(std::vector<T>& values, const std::vector<int>& order) {
 
 }  // namespace
 
-bool Particles::sound(double largest_radius) const {
+bool Particles::valid(double largest_radius) const {
   const auto possible = [&](const ParticleState& s) {
     for (double value : {s.x, s.y, s.z, s.radius, s.vx, s.vy, s.vz, s.mass, s.wx, s.wy, s.wz, s.inertia})
       if (!std::isfinite(value)) return false;
@@ -28,6 +30,7 @@ bool Particles::sound(double largest_radius) const {
 }
 
 void Particles::add(const Particle& p) {
+  expect(states.size() == size() && passed.size() == size());
   id.push_back(p.id);
   ParticleState state;
   state.x = p.x, state.y = p.y, state.z = p.z, state.radius = p.radius;

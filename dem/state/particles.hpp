@@ -39,7 +39,7 @@ struct Particles {
   }
 
   /// Whether particles read from a file have all their numbers, none of them impossible.
-  bool sound(double largest_radius) const;
+  bool valid(double largest_radius) const;
 
   void add(const Particle& particle);
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "coupling/base/require.hpp"
+#include "coupling/base/unit_uniform.hpp"
 
 namespace clogflow {
 
@@ -18,10 +19,8 @@ public:
     engine_.seed(mixed);
   }
 
-  /// Uniform in [low, high). Not std::uniform_real_distribution: its result differs between libraries.
-  double uniform(double low, double high) {
-    return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;
-  }
+  /// Uniform in [low, high).
+  double uniform(double low, double high) { return low + (high - low) * unit_uniform(engine_()); }
 
   template <class Archive>
   void exchange(Archive& archive) {

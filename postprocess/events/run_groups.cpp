@@ -77,7 +77,7 @@ private:
     group.scene_text = run.scene_text;
     group.lines = lines;
     group.scale = clog_scale(group.scene, threshold_, file.string());
-    group.provenance = run.provenance;
+    group.record = run.record;
     return group;
   }
 

@@ -5,8 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
+#include "coupling/files/run_record.hpp"
 #include "coupling/scene/scene.hpp"
 #include "postprocess/events/scene_lines.hpp"
 #include "postprocess/events/seed_record.hpp"
@@ -19,7 +18,7 @@ struct RunGroup {
   SceneLines lines;
   ClogScale scale;
   std::vector<SeedRecord> records;  ///< in order of seed
-  nlohmann::json provenance;        ///< of its first run
+  RunRecord record;                 ///< of its first run
 };
 
 /// run_*.h5 in a folder, or, if it has none, in the folders right below it; in order of name.

@@ -1,11 +1,10 @@
 // Cuts a run down to what the statistics need.
 #include "postprocess/events/seed_record.hpp"
 
-#include <algorithm>
 #include <limits>
 
+#include "coupling/base/quantile.hpp"
 #include "coupling/base/require.hpp"
-#include "coupling/files/run_record.hpp"
 
 namespace clogflow::postprocess {
 namespace {
@@ -34,14 +33,6 @@ SteadyState steady_state(const RunData& run, const Window& window) {
   return steady;
 }
 
-/// A number that the solver may have recorded; NaN where it did not.
-double recorded(const RunData& run, const char* name) {
-  const auto found = run.provenance.find(name);
-  if (found == run.provenance.end()) return std::numeric_limits<double>::quiet_NaN();
-  require(found->is_number(), "seed {}: {} in the record of the run is no number", run.seed, name);
-  return found->get<double>();
-}
-
 bool fills_behind_a_gate(const Scene& scene) { return scene.inlet.enabled && scene.inlet.start == InletStart::filled; }
 
 }  // namespace
@@ -59,9 +50,7 @@ double end_of_filling(const RunData& run, const Scene& scene) {
   const auto& count = run.series.count;
   if (!scene.inlet.enabled || scene.inlet.start == InletStart::filled || time.empty()) return 0;
   std::vector<std::int64_t> late(count.begin() + static_cast<std::ptrdiff_t>(count.size() / 2), count.end());
-  const auto middle = late.begin() + static_cast<std::ptrdiff_t>(late.size() / 2);
-  std::nth_element(late.begin(), middle, late.end());
-  const double full = full_share * static_cast<double>(*middle);
+  const double full = full_share * static_cast<double>(quantile(late, 0.5));
   for (std::size_t i = 0; i < time.size(); ++i) {
     if (static_cast<double>(count[i]) >= full) return time[i];
   }
@@ -84,8 +73,9 @@ SeedRecord record_of(const RunData& run, const Scene& scene, const ClogScale& sc
                       ? bursts_after_releases(run, record.window, scene.unclog.after)
                       : bursts_between_clogs(run, record.window, scale.threshold);
   record.steady = steady_state(run, record.window);
-  record.filling_time = fills_behind_a_gate(scene) ? recorded(run, run_record::fill_time) : record.window.start;
-  record.wall_time = recorded(run, run_record::wall_time);
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  record.filling_time = fills_behind_a_gate(scene) ? run.record.fill_time.value_or(unknown) : record.window.start;
+  record.wall_time = run.record.wall_time.value_or(unknown);
   return record;
 }
 

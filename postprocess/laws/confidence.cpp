@@ -6,20 +6,10 @@
 #include <limits>
 #include <numeric>
 
+#include "coupling/base/quantile.hpp"
 #include "postprocess/laws/random_stream.hpp"
 
 namespace clogflow::postprocess {
-namespace {
-
-/// Linear interpolation between order statistics.
-double quantile(const std::vector<double>& sorted, double q) {
-  const double at = q * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(at);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (at - static_cast<double>(below)) * (sorted[above] - sorted[below]);
-}
-
-}  // namespace
 
 Estimate bootstrap_over_seeds(std::size_t count, const EnsembleStatistic& statistic, const Resampling& resampling) {
   std::vector<std::size_t> seeds(count);
@@ -44,8 +34,8 @@ Estimate bootstrap_over_seeds(std::size_t count, const EnsembleStatistic& statis
     return estimate;
   }
   std::sort(values.begin(), values.end());
-  estimate.low = quantile(values, (1.0 - resampling.level) / 2.0);
-  estimate.high = quantile(values, (1.0 + resampling.level) / 2.0);
+  estimate.low = interpolated_quantile(values, (1.0 - resampling.level) / 2.0);
+  estimate.high = interpolated_quantile(values, (1.0 + resampling.level) / 2.0);
   return estimate;
 }
 

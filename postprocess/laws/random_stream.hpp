@@ -4,11 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "coupling/base/unit_uniform.hpp"
+
 namespace clogflow::postprocess {
 
 /// SplitMix64 (Steele, Lea & Flood 2014). A stream is named by (seed, number), so that replicate 17
-/// draws the same numbers on any number of threads; the standard library's distributions would
-/// differ between compilers.
+/// draws the same numbers on any number of threads.
 class RandomStream {
 public:
   RandomStream(std::uint64_t seed, std::uint64_t number) : state_(mixed(mixed(seed) + increment * (number + 1))) {}
@@ -19,7 +20,7 @@ public:
   }
 
   /// Uniform in [0, 1), 53 bits.
-  double uniform() { return static_cast<double>(next() >> 11) * 0x1p-53; }
+  double uniform() { return unit_uniform(next()); }
 
   /// Uniform in 0 ... count - 1; the bias, count / 2^53, is far below what a sample can show.
   std::size_t below(std::size_t count) { return static_cast<std::size_t>(uniform() * static_cast<double>(count)); }

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "coupling/base/expect.hpp"
+
 namespace clogflow::postprocess {
 
 /// What the values are decides which law describes them.
@@ -31,7 +33,10 @@ public:
   double logarithm(std::size_t i) const { return logarithm_[i]; }
 
   /// sum of ln x_i over i >= first
-  double sum_of_logarithms(std::size_t first) const { return tail_sum_[first]; }
+  double sum_of_logarithms(std::size_t first) const {
+    expect(first <= size());
+    return tail_sum_[first];
+  }
 
   /// Share of the tail from `first` on that lies before index i: its empirical distribution function.
   double share_before(std::size_t first, std::size_t i) const {

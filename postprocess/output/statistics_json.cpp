@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "coupling/base/content_hash.hpp"
+#include "coupling/files/record_json.hpp"
 #include "coupling/geometry/channel_geometry.hpp"
 #include "coupling/scene/readable_scene.hpp"
 #include "postprocess/output/fit_json.hpp"
@@ -157,7 +158,7 @@ json as_json(const RunGroup& group, const GroupStatistics& numbers) {
             {"fixed", as_json(laws.fixed, group.scale.tau)},
             {"fixed_censored", as_json(laws.fixed_censored)}}},
           {"steady", as_json(numbers.steady)},
-          {"provenance", group.provenance},
+          {"provenance", record_json(group.record)},
           {"notes", numbers.notes}};
 }
 

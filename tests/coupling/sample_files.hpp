@@ -33,7 +33,8 @@ inline FlowGrid sample_grid() {
                 {{Vec3(0, 0, 1), Vec3(1, 0, 1), Vec3(0, 1, 1.0 / 3)}}};
   grid.scene_text = "[flow]\nsource = \"openfoam\"\n";
   grid.hash = "0123456789abcdef";
-  grid.provenance = {{"cells", 48000}, {"solver", "simpleFoam \u00b5"}};
+  grid.record.openfoam_version = "2312 \u00b5";
+  grid.record.cells = 48000;
   return grid;
 }
 
@@ -41,7 +42,8 @@ inline RunData sample_run() {
   RunData run;
   run.seed = 7;
   run.scene_text = "a = 1\n";
-  run.provenance = {{"host", "somewhere"}, {"flow_hash", "0123"}};
+  run.record.host = "somewhere";
+  run.record.flow_hash = "0123";
   run.end_time = 1.5;
   run.passages = {.time = {0.25, 0.5}, .id = {3, 1}, .y = {1e-6, -1e-6}, .z = {5e-5, 6e-5}, .friction_off = {0, 1}};
   run.releases = {.off = {0.4}, .on = {0.4015}, .largest_speed = {1e-7}, .position = {-1e-5}};

@@ -108,24 +108,24 @@ TEST(ChannelShapeByHand, RoundsTheNeck) {
   const Scene scene = flow_scene({"geometry.neck_rounding=50 um"});
   const double t = 0.5e-4 * 0.57735027;
   EXPECT_NEAR(neck_start(scene.geometry), t, 1e-12);
-  EXPECT_NEAR(channel_width_at(scene.geometry, t), 1e-4, 1e-12);
+  EXPECT_NEAR(channel_shape(scene.geometry).width(t), 1e-4, 1e-12);
   // At x = 0: 2 (D - sqrt(R^2 - t^2)) = 2 D (1 - 0.5 sqrt(2/3))
-  EXPECT_NEAR(channel_width_at(scene.geometry, 0), 2e-4 * (1 - 0.5 * 0.81649658), 1e-12);
+  EXPECT_NEAR(channel_shape(scene.geometry).width(0), 2e-4 * (1 - 0.5 * 0.81649658), 1e-12);
   // The arc begins at -t cos(60 deg) on the slanted wall.
-  EXPECT_NEAR(channel_width_at(scene.geometry, -t / 2), 1e-4 + t * 1.7320508, 1e-11);
+  EXPECT_NEAR(channel_shape(scene.geometry).width(-t / 2), 1e-4 + t * 1.7320508, 1e-11);
 }
 
 TEST(ChannelShapeByHand, WidensAfterTheNeck) {
   const Scene scene = flow_scene({"geometry.expansion_width=300 um", "geometry.expansion_angle=45 deg"});
   EXPECT_NEAR(channel_end(scene.geometry), 1e-4 + 1e-4 + 3e-4, 1e-12);
-  EXPECT_NEAR(channel_width_at(scene.geometry, 1.5e-4), 2e-4, 1e-12);
+  EXPECT_NEAR(channel_shape(scene.geometry).width(1.5e-4), 2e-4, 1e-12);
 }
 
 TEST(ChannelShapeByHand, NarrowsTwice) {
   const Scene scene = flow_scene({"geometry.step_width=200 um", "geometry.step_length=150 um"});
   // 1.5 D / tan(60 deg) + 1.5 D
   EXPECT_NEAR(narrowing_length(scene.geometry), 0.8660254e-4 + 1.5e-4, 1e-11);
-  EXPECT_NEAR(channel_width_at(scene.geometry, -1e-4), 2e-4, 1e-15);
+  EXPECT_NEAR(channel_shape(scene.geometry).width(-1e-4), 2e-4, 1e-15);
 }
 
 TEST(Triangulation, RefusesALoopThatCrossesItself) {

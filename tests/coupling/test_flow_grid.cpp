@@ -28,7 +28,7 @@ TEST(FlowGrid, ThereAndBack) {
   for (std::size_t i = 0; i < grid.walls.size(); ++i) EXPECT_EQ(read.walls[i].corner, grid.walls[i].corner);
   EXPECT_EQ(read.scene_text, grid.scene_text);
   EXPECT_EQ(read.hash, grid.hash);
-  EXPECT_EQ(read.provenance, grid.provenance);
+  EXPECT_EQ(read.record, grid.record);
   EXPECT_THAT(files_in(file.parent_path()), testing::Each(testing::Not(testing::HasSubstr(".part"))));
 }
 
@@ -42,10 +42,10 @@ TEST(FlowGrid, WithoutWallsAndTexts) {
   FlowGrid grid = sample_grid();
   grid.walls.clear();
   grid.scene_text.clear();
-  grid.provenance = nullptr;
+  grid.record = {};
   write_flow_grid(grid, temporary("bare.h5"));
   const FlowGrid read = read_flow_grid(temporary("bare.h5"));
-  EXPECT_TRUE(read.walls.empty() && read.scene_text.empty() && read.provenance.is_null());
+  EXPECT_TRUE(read.walls.empty() && read.scene_text.empty() && read.record == FlowRecord{});
 }
 
 // What ParaView does. The points come out at the places and with the values that went in.

@@ -113,7 +113,7 @@ TEST(FlowReach, ALongerChannelAddsItsDevelopedPressureDrop) {
               longer = flow_scene({"geometry.channel_length=2.5 mm"});
   FlowGrid flow;
   EXPECT_FALSE(channel_pressure_drop(flow, longer));
-  flow.provenance["pressure_drop"] = 20.0;
+  flow.record.pressure_drop = 20.0;
   EXPECT_DOUBLE_EQ(*channel_pressure_drop(flow, solved), 20);
   // 400 x 100 um: f Re = 72.93, D = 160 um; 1.8 mPa s, 5 mm/s, 2 mm.
   EXPECT_NEAR(*channel_pressure_drop(flow, longer) - 20, 72.93 / 2 / (160e-6 * 160e-6) * 1.8e-3 * 5e-3 * 2e-3, 0.01);

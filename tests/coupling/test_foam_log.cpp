@@ -38,12 +38,12 @@ TEST(FoamLog, TellsHowTheFlowWasSolved) {
   const ScratchFolder scratch;
   write_logs(scratch.path());
   const auto found = read_foam_logs(scratch.path(), 4);
-  EXPECT_EQ(found["openfoam_version"], "v2312");
-  EXPECT_EQ(found["iterations"], 164);
-  EXPECT_EQ(found["cells"], 46560);
-  EXPECT_DOUBLE_EQ(found["residuals"]["Ux"], 5.1e-6);
-  EXPECT_NEAR(found["mass_flux"][1]["flux"].get<double>(), 2.00004e-10, 1e-20);
-  EXPECT_NEAR(found["mass_flux"][1]["error"].get<double>(), 2e-5, 1e-12);
+  EXPECT_EQ(found.openfoam_version, "v2312");
+  EXPECT_EQ(found.iterations, 164);
+  EXPECT_EQ(found.cells, 46560);
+  EXPECT_DOUBLE_EQ(found.residuals->ux, 5.1e-6);
+  EXPECT_NEAR(found.mass_flux->at(1).flux, 2.00004e-10, 1e-20);
+  EXPECT_NEAR(found.mass_flux->at(1).error, 2e-5, 1e-12);
 }
 
 TEST(FoamLog, RefusesLogsThatAreCutShort) {

@@ -22,7 +22,7 @@ TEST(RunFile, ThereAndBack) {
   const RunData read = read_run_file(file);
   EXPECT_EQ(read.seed, run.seed);
   EXPECT_EQ(read.scene_text, run.scene_text);
-  EXPECT_EQ(read.provenance, run.provenance);
+  EXPECT_EQ(read.record, run.record);
   EXPECT_EQ(read.end_time, run.end_time);
   EXPECT_EQ(read.passages.time, run.passages.time);
   EXPECT_EQ(read.passages.id, run.passages.id);

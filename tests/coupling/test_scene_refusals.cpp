@@ -175,7 +175,7 @@ TEST(SceneRefusals, OfTextThatIsNoScene) {
               HasSubstr("time.step_fraction = 0.1 (time.step is given too: choose one)"));
   EXPECT_THAT(refused("contact = 3\n"), HasSubstr("scenes/x.toml:1: contact = 3 (a section"));
   EXPECT_THAT(refused(std::string("\0\1\2\xff", 4)), HasSubstr("scenes/x.toml:1: "));
-  EXPECT_THAT(refused("x = \"" + std::string(100000, 'a') + "\""), testing::SizeIs(testing::Lt(250)));
+  EXPECT_THAT(refused(fmt::format("x = \"{}\"", std::string(100000, 'a'))), testing::SizeIs(testing::Lt(250)));
   EXPECT_THAT(refusal([] { read_scene("nowhere.toml"); }), HasSubstr("nowhere.toml (no such scene file)"));
   EXPECT_THAT(refusal([] { read_scene("/"); }), HasSubstr("cannot be read"));
 }

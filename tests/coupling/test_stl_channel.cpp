@@ -92,10 +92,10 @@ TEST(StlChannel, SectionsAndPlacesInside) {
   const Walls walls = channel_walls(keys.geometry);
   for (const double x : {-8e-4, -5e-5, 5e-5}) {
     const WallSection section = section_at(walls, x);
-    EXPECT_NEAR(section.width(), channel_width_at(keys.geometry, x), 1e-12);
+    EXPECT_NEAR(section.width(), channel_shape(keys.geometry).width(x), 1e-12);
     EXPECT_NEAR(section.height(), 1e-4, 1e-12);
-    EXPECT_NEAR(section.area, channel_width_at(keys.geometry, x) * 1e-4, 1e-15);
-    const double edge = channel_width_at(keys.geometry, x) / 2;
+    EXPECT_NEAR(section.area, channel_shape(keys.geometry).width(x) * 1e-4, 1e-15);
+    const double edge = channel_shape(keys.geometry).width(x) / 2;
     const std::vector<double> heights{-1e-6, 1e-6, 5e-5, 9.9e-5, 1.01e-4};
     const std::vector<bool> between{false, true, true, true, false};
     EXPECT_EQ(inside_along_z(walls, x, 0.997 * edge, heights), between);

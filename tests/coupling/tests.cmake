@@ -8,7 +8,7 @@ clog_tests(test_flow_case
   LIBRARIES clog_coupling LABELS unit)
 clog_tests(test_file_formats
   SOURCES coupling/test_flow_grid.cpp coupling/test_run_file.cpp coupling/test_hdf5_faults.cpp coupling/test_hostile_hdf5.cpp
-          coupling/test_publish_file.cpp
+          coupling/test_publish_file.cpp coupling/test_expect.cpp coupling/test_environment.cpp coupling/test_records.cpp
   LIBRARIES clog_coupling hdf5::hdf5 LABELS unit)
 clog_tests(test_layers
   SOURCES coupling/test_layers.cpp

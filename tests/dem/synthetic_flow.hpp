@@ -27,7 +27,7 @@ inline FlowGrid synthetic_flow(const Scene& scene) {
     for (int j = 0; j < grid.points[1]; ++j)
       for (int i = 0; i < grid.points[0]; ++i) {
         const double x = grid.origin.x() + i * h, y = grid.origin.y() + j * h, z = grid.origin.z() + k * h;
-        const double width = channel_width_at(scene.geometry, x);
+        const double width = channel_shape(scene.geometry).width(x);
         const std::size_t at = grid.index(i, j, k);
         if (std::abs(y) >= width / 2) {
           grid.solid[at] = 1;
@@ -37,7 +37,7 @@ inline FlowGrid synthetic_flow(const Scene& scene) {
         const double speed =
             2.25 * scene.flow.mean_velocity * g.channel_width / width * (1 - across * across) * (1 - up * up);
         const double slope =
-            (channel_width_at(scene.geometry, x + h) - channel_width_at(scene.geometry, x - h)) / (2 * h);
+            (channel_shape(scene.geometry).width(x + h) - channel_shape(scene.geometry).width(x - h)) / (2 * h);
         grid.velocity[3 * at] = static_cast<float>(speed);
         grid.velocity[3 * at + 1] = static_cast<float>(speed * slope * y / width);
       }

@@ -33,7 +33,7 @@ TEST(DragLaws, EveryWordOfASceneHasARow) {
 }
 
 /// Speed of a resting sphere of 1 mm in flowing water after the first kick [m/s].
-double felt(DragLawWord law, double speed) {
+double felt(const char* law, double speed) {
   Scene scene = laboratory_scene({1e7, 0.3, 1000, 1e-3}, 1e-6);
   scene.fluid.viscosity = 1e-3, scene.fluid.density = 1000;
   scene.flow.source = FlowSource::uniform;
@@ -47,10 +47,10 @@ double felt(DragLawWord law, double speed) {
 
 TEST(DragLaws, ASphereFeelsTheInertiaOfTheFluidUnderBeetstraAlone) {
   // Re = rho v d / eta = 1 at 1 mm/s.
-  const double stokes = felt(DragLawWord::stokes, 1e-3);
+  const double stokes = felt("stokes", 1e-3);
   EXPECT_GT(stokes, 0);
-  EXPECT_EQ(felt(DragLawWord::hoef, 1e-3), stokes);
-  EXPECT_NEAR(felt(DragLawWord::beetstra, 1e-3) / stokes, 1.08088, 1e-5);
+  EXPECT_EQ(felt("hoef", 1e-3), stokes);
+  EXPECT_NEAR(felt("beetstra", 1e-3) / stokes, 1.08088, 1e-5);
 }
 
 }  // namespace

@@ -123,8 +123,8 @@ TEST(FlowField, ManyPlacesAtOnceAsOneByOne) {
   std::vector<double> ux(37), uy(37), uz(37), drag(37);
   FlowTask task{pointers(particles), nullptr,   {},        0,         {},         -1, 1, 1, speed_up,
                 drag_per_radius,     ux.data(), uy.data(), uz.data(), drag.data()};
-  ASSERT_TRUE(field.describe(task));
-  EXPECT_FALSE(FlowField(grid, Lookup::trilinear).describe(task));
+  ASSERT_TRUE(field.set_nearest(task));
+  EXPECT_FALSE(FlowField(grid, Lookup::trilinear).set_nearest(task));
   for (const Kernels* kernels : {&kernels_x86_64, &select_kernels()}) {
     kernels->sample_nearest(task);
     for (int k = 0; k < 37; ++k) {

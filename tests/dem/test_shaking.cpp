@@ -56,7 +56,7 @@ TEST(Shaking, AboveTheLimitIsSeenBetweenWholeSteps) {
   // Torsion is the first to go: the sphere turns to and fro on its spot.
   const auto [run, notes] = outcome(1.2);
   EXPECT_THAT(notes, Contains(HasSubstr("the pack shakes: near the neck particles go or turn to and fro at")));
-  EXPECT_GT(run.provenance.at("shaking_speed_m_s"), 1e-5);
+  EXPECT_GT(run.record.shaking_speed.value(), 1e-5);
   const auto& spin = run.snapshots.back().spin;
   EXPECT_LT(16.5e-6 * std::hypot(spin[0], spin[1], spin[2]), 1e-5);
 }
@@ -74,7 +74,7 @@ TEST(Shaking, FarAboveTheLimitSpeedsOfTheSeriesShowIt) {
 TEST(Shaking, BelowTheLimitThereIsNone) {
   const auto [run, notes] = outcome(0.9);
   EXPECT_THAT(notes, Not(Contains(HasSubstr("shakes:"))));
-  EXPECT_EQ(run.provenance.at("shaking_speed_m_s"), 0.0);
+  EXPECT_EQ(run.record.shaking_speed.value(), 0.0);
   EXPECT_LT(run.series.median_speed.back(), 1e-5);
 }
 

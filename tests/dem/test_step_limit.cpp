@@ -101,7 +101,7 @@ TEST(StepLimits, AreNamedRefusedAndWarnedOf) {
   const std::vector<Particle> one{{.radius = 16.5e-6, .z = 16.5e-6}};
   const Model model = make_model(pressed(1e-8), nullptr, one);
   const StepLimits limits = expected_limits(model, one);
-  EXPECT_THAT(describe(limits, model.dt),
+  EXPECT_THAT(limit_words(limits, model.dt),
               AllOf(HasSubstr("dt = 1e-08 s"), HasSubstr("dt/Rayleigh"), HasSubstr("dt/contact limit")));
   EXPECT_EQ(check_step(limits, model), "");
   const auto at = [&](double share) { return make_model(pressed(share * limits.contacts), nullptr, one); };
@@ -301,7 +301,7 @@ TEST(StepLimits, NoParticleMayGoFarInAStep) {
     StepLimits limits = expected_limits(model, at(speed));
     limits.expected_overlap = 0;
     limits.contacts = 1;
-    return check_step(limits, model) + way_warning(limits, model.dt);
+    return check_step(limits, model) + passing_warning(limits, model.dt);
   };
   const double diameter_a_step = 33e-6 / 1e-7;
   EXPECT_EQ(check(0.09 * diameter_a_step), "");

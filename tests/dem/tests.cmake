@@ -4,7 +4,7 @@ clog_tests(test_physics
   LIBRARIES clog_dem LABELS unit)
 clog_tests(test_few_particles
   SOURCES dem/test_impacts.cpp dem/test_friction.cpp dem/test_suspended.cpp dem/test_films.cpp
-          dem/test_fluid_noise.cpp
+          dem/test_fluid_noise.cpp dem/test_energy_account.cpp
   LIBRARIES clog_dem LABELS unit)
 clog_tests(test_walls
   SOURCES dem/test_wall_surface.cpp dem/test_wall_contacts.cpp dem/test_curved_walls.cpp

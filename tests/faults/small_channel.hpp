@@ -15,9 +15,9 @@ inline Scene small_channel(Overrides more = {}) {
   return short_channel_scene(overrides);
 }
 
-/// All that a run recorded, bit by bit; provenance (wall time, host) is no result.
+/// All that a run recorded, bit by bit; its record (wall time, host) is no result.
 inline std::string result_bytes(RunData run) {
-  run.provenance = {};
+  run.record = {};
   ArchiveWriter archive;
   archive(run);
   return archive.bytes();

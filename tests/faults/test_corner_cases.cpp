@@ -54,8 +54,8 @@ TEST(FullInlet, EndsAndIsCounted) {
   const Scene scene = small_channel({"particles.diameter=95 um", "time.end=5 ms", "geometry.channel_width=110 um"});
   const FlowGrid flow = synthetic_flow(scene);
   const RunData run = Simulation(scene, &flow, 1).run();
-  EXPECT_GT(run.provenance["insertions_refused"].get<std::int64_t>(), 0);
-  EXPECT_GT(run.provenance["inserted"].get<std::int64_t>(), 0);
+  EXPECT_GT(run.record.insertions_refused.value(), 0);
+  EXPECT_GT(run.record.inserted.value(), 0);
 }
 
 // One sphere fills the whole channel and cannot leave in this time: no second ever finds room.
@@ -68,7 +68,7 @@ TEST(FullInlet, ThatCanInsertNothingSaysSoAndEnds) {
   simulation.on_note([&](const std::string& note) { notes.push_back(note); });
   const RunData run = simulation.run();
   EXPECT_THAT(notes, testing::Contains(HasSubstr("the inlet found no room for any particle in ")));
-  EXPECT_GT(run.provenance["insertions_refused"].get<std::int64_t>(), 0);
+  EXPECT_GT(run.record.insertions_refused.value(), 0);
 }
 
 // A channel shorter than the slab of the inlet: nothing may stand in the slanted walls.
@@ -77,7 +77,7 @@ TEST(FullInlet, OfAShortChannelKeepsOutOfTheNarrowing) {
       {"particles.diameter=60 um", "geometry.channel_length=65 um", "inlet.start=empty", "time.end=10 us"});
   const FlowGrid flow = synthetic_flow(scene);
   const RunData run = Simulation(scene, &flow, 1).run();
-  ASSERT_GT(run.provenance["inserted"].get<std::int64_t>(), 0);
+  ASSERT_GT(run.record.inserted.value(), 0);
   EXPECT_LE(*std::max_element(run.series.largest_overlap.begin(), run.series.largest_overlap.end()), 0.002 * 60e-6);
 }
 
@@ -87,7 +87,7 @@ TEST(UniformFlow, TellsWhatRestIsAndFillsAChannel) {
   const Scene scene = small_channel({"flow.source=uniform", "flow.velocity=5 mm/s", "time.end=1 ms"});
   EXPECT_DOUBLE_EQ(scene.flow_speed(), 5e-3);
   EXPECT_DOUBLE_EQ(rest_speed(scene), rest_speed(small_channel({"flow.mean_velocity=5 mm/s"})));
-  EXPECT_GT(Simulation(scene, nullptr, 1).run().provenance["fill_time_s"].get<double>(), 0);
+  EXPECT_GT(Simulation(scene, nullptr, 1).run().record.fill_time.value(), 0);
 }
 
 TEST(UniformFlow, AloneFillsAChannelAndEndsClogs) {

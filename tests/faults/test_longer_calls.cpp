@@ -142,7 +142,7 @@ TEST_F(LongerCalls, AFileThatHoldsNoStateOrAnotherBuildsStaysUnderItsName) {
   write_run_file(run, job_.path("out/run_0001.h5"));
   EXPECT_THAT(call(1, words("out", "1", "6 ms")),
               HasSubstr("run_0001.h5: ends before time.end = 0.006 s and holds no state to go on from"));
-  OwnedState other{{effective_scene(job_.scene), run.provenance["inputs_hash"], "another build", "avx2", 1}, "state"};
+  OwnedState other{{effective_scene(job_.scene), *run.record.inputs_hash, "another build", "avx2", 1}, "state"};
   other.owner.scene_text = run.scene_text;
   run.end_state = pack_state(other);
   write_run_file(run, job_.path("out/run_0001.h5"));

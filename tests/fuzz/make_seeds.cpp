@@ -13,7 +13,7 @@ clogflow::FlowGrid small_grid() {
   grid.walls = {{{clogflow::Vec3(0, 0, 0), clogflow::Vec3(1, 0, 0), clogflow::Vec3(0, 1, 0)}}};
   grid.scene_text = "a = 1\n";
   grid.hash = "0123";
-  grid.provenance = {{"cells", 8}};
+  grid.record.cells = 8;
   return grid;
 }
 
@@ -21,7 +21,7 @@ clogflow::RunData small_run() {
   clogflow::RunData run;
   run.seed = 7;
   run.scene_text = "a = 1\n";
-  run.provenance = {{"host", "here"}};
+  run.record.host = "here";
   run.end_time = 1.5;
   run.passages = {.time = {0.25, 0.5}, .id = {3, 1}, .y = {0, 0}, .z = {0, 0}, .friction_off = {0, 1}};
   auto& series = run.series;

@@ -81,23 +81,22 @@ TEST_P(CoarseFlow, ConservesMassAndDevelops) {
 
   const auto& g = scene.geometry;
   const double rate = 5e-3 * g.channel_width * g.neck_height;
-  EXPECT_GT(grid.provenance["mass_flux"].size(), 2u);
-  for (const auto& surface : grid.provenance["mass_flux"]) {
+  EXPECT_GT(grid.record.mass_flux->size(), 2u);
+  for (const SurfaceFlux& each : *grid.record.mass_flux) {
     // The faces of the mesh carry the flux exactly, up to the residuals.
-    EXPECT_NEAR(surface["flux"].get<double>() / rate, 1, 1e-4) << surface;
+    EXPECT_NEAR(each.flux / rate, 1, 1e-4) << each.surface;
   }
-  EXPECT_TRUE(grid.provenance["mesh_error"]["extrapolated"]);
-  EXPECT_GT(grid.provenance["grid_flux"].size(), 4u);
+  EXPECT_TRUE(grid.record.mesh_error->extrapolated);
+  EXPECT_GT(grid.record.grid_flux->size(), 4u);
   // Most where the cells are long, behind the inlet of the mesh.
-  for (const auto& surface : grid.provenance["grid_flux"])
-    EXPECT_NEAR(surface["error"].get<double>(), 0, 0.03) << surface;
-  EXPECT_LT(grid.provenance["grid_flux_largest_error"], 0.03);
+  for (const PlaneFlux& plane : *grid.record.grid_flux) EXPECT_NEAR(plane.error, 0, 0.03) << plane.x;
+  EXPECT_LT(grid.record.grid_flux_largest_error.value(), 0.03);
   // The midpoint rule itself misses h^2/24 of the walls' shear, which is the developed pressure gradient: 0.15 to 0.3
   // %. Beside the narrowing the shear is another one. Without the restored flow rate it would be 3 %.
   const double rule = std::pow(grid.spacing, 2) * DuctFlow(g.channel_width, g.neck_height).resistance() / 24;
   for (int i = 0; grid.origin.x() + i * grid.spacing <= -narrowing_length(scene.geometry); ++i)
     EXPECT_NEAR(grid_plane(grid, i, scene).error, rule, 0.0015) << i;
-  EXPECT_LT(grid.provenance["residuals"]["p"], 1e-5);
+  EXPECT_LT(grid.record.residuals->p, 1e-5);
 
   // Before the mesh the series itself; inside it what 16 and 8 cells across the neck allow, most
   // beside the side walls, where the cells of the wide channel are coarser than the layer in which
@@ -143,7 +142,7 @@ TEST(FlowSymmetry, OfTheWholeWidth) {
   };
   const FlowGrid quarter = flow("quarter", {});
   const FlowGrid whole = flow("whole", {"geometry.half_angle_below=60.0000001 deg"});
-  EXPECT_EQ(whole.provenance["cells"], 2 * quarter.provenance["cells"].get<int>());
+  EXPECT_EQ(whole.record.cells.value(), 2 * quarter.record.cells.value());
   double squares = 0, uneven = 0;
   const auto [nx, ny, nz] = whole.points;
   for (int k = 0; k < nz; ++k)
@@ -159,8 +158,7 @@ TEST(FlowSymmetry, OfTheWholeWidth) {
   // Gradients and sampling take more neighbours inside a mesh than at the border that the plane of
   // symmetry is for the quarter: on 12 cells this is 0.26 % of the pressure drop.
   EXPECT_LT(std::sqrt(squares / static_cast<double>(whole.solid.size())) / 20e-3, 0.005);
-  EXPECT_NEAR(whole.provenance["pressure_drop"].get<double>() / quarter.provenance["pressure_drop"].get<double>(), 1,
-              0.005);
+  EXPECT_NEAR(whole.record.pressure_drop.value() / quarter.record.pressure_drop.value(), 1, 0.005);
 }
 
 TEST(FlowCase, IsSolvedOnce) {

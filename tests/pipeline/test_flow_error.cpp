@@ -49,13 +49,13 @@ TEST_P(FlowError, IsHonest) {
   const double neck_mean = 20e-3;
   const double velocity = rms_difference(read(folder), read(finer)) / neck_mean;
   const double pressure = std::abs(read_pressure_drop(folder) / read_pressure_drop(finer) - 1);
-  const auto& told = grid.provenance["mesh_error"];
+  const MeshError& told = grid.record.mesh_error.value();
   // The finer mesh has an error of its own, a third of this one's.
-  EXPECT_GT(told["velocity_rms"], velocity);
-  EXPECT_LT(told["velocity_rms"], 2.5 * velocity);
-  EXPECT_GT(told["pressure_drop"], pressure);
-  EXPECT_LT(told["pressure_drop"], 5 * pressure + 1e-3);
-  EXPECT_GT(told["velocity_largest"], told["velocity_99_percent"]);
+  EXPECT_GT(told.velocity_rms, velocity);
+  EXPECT_LT(told.velocity_rms, 2.5 * velocity);
+  EXPECT_GT(told.pressure_drop, pressure);
+  EXPECT_LT(told.pressure_drop, 5 * pressure + 1e-3);
+  EXPECT_GT(told.velocity_largest, told.velocity_99_percent);
 
   // What the two meshes together say is nearer to the finer solution than the wanted one is, and
   // what is told for it is not below its own difference.
@@ -65,7 +65,7 @@ TEST_P(FlowError, IsHonest) {
   // Not by much: the finer mesh is not extrapolated, and its own error stays in the difference.
   EXPECT_LT(left, velocity);
   EXPECT_GT(added.rms, left);
-  EXPECT_FALSE(told["extrapolated"]);
+  EXPECT_FALSE(told.extrapolated);
 
   const Scene other = flow_scene({angle, cells, "flow.extrapolate=false", "fluid.viscosity=1 mPa s"});
   EXPECT_THAT(refusal([&] { read_coarser_flow(folder, other); }), HasSubstr("is not the coarser case of"));

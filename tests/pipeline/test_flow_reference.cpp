@@ -161,13 +161,13 @@ TEST_F(FlowReference, VelocityThroughTheGrid) {
   EXPECT_LT(smooth.largest, 0.02);
   // Every plane, those between long cells included, which waver by 2 % before their flow rate is
   // restored.
-  EXPECT_GT(grid.provenance["flow_rate_restored"], 0.01);
-  EXPECT_LT(grid.provenance["grid_flux_largest_error"], 0.003);
+  EXPECT_GT(grid.record.flow_rate_restored.value(), 0.01);
+  EXPECT_LT(grid.record.grid_flux_largest_error.value(), 0.003);
   // What is told is not below the error.
-  const auto& told = grid.provenance["mesh_error"];
-  EXPECT_TRUE(told["extrapolated"]);
-  EXPECT_GT(told["velocity_rms"], smooth.rms);
-  EXPECT_GT(told["velocity_largest"], smooth.largest);
+  const MeshError& told = grid.record.mesh_error.value();
+  EXPECT_TRUE(told.extrapolated);
+  EXPECT_GT(told.velocity_rms, smooth.rms);
+  EXPECT_GT(told.velocity_largest, smooth.largest);
   // The nearest point is up to half a spacing away: half of 2 um times 6 to 8 neck means per neck
   // width.
   const Deviation nearest = through_grid(grid, Lookup::nearest, &ReferencePoint::velocity, 1);

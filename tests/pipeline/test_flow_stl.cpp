@@ -28,9 +28,8 @@ FlowGrid solved(const Scene& scene, const fs::path& folder) {
 
 // The flow keeps its rate through every plane of the mesh, and is its own mirror image.
 void expect_laws(const FlowGrid& grid, double rate, double neck_mean) {
-  EXPECT_GT(grid.provenance["mass_flux"].size(), 4u);
-  for (const auto& surface : grid.provenance["mass_flux"])
-    EXPECT_NEAR(surface["flux"].get<double>() / rate, 1, 1e-4) << surface;
+  EXPECT_GT(grid.record.mass_flux->size(), 4u);
+  for (const SurfaceFlux& each : *grid.record.mass_flux) EXPECT_NEAR(each.flux / rate, 1, 1e-4) << each.surface;
   double uneven = 0;
   const auto [nx, ny, nz] = grid.points;
   const auto& u = grid.velocity;
@@ -58,7 +57,7 @@ TEST(StlFlow, OfThePapersChannelIsThatOfTheBlockMesh) {
   const FlowGrid fitted = solved(scene, scratch.path() / "stl");
   const FlowGrid blocks = solved(keys, scratch.path() / "blocks");
   expect_laws(fitted, 2e-10, 20e-3);
-  EXPECT_LT(fitted.provenance["points_lost_at_walls"], 1e-3);
+  EXPECT_LT(fitted.record.points_lost_at_walls.value(), 1e-3);
 
   // Wherever both grids have a point: same places are solid, velocities agree as 12 cells allow.
   double squares = 0, count = 0, solid = 0;
@@ -85,7 +84,7 @@ TEST(StlFlow, OfTheShippedPore) {
   const Scene scene = read_scene(source_folder() / "scenes" / "pore.toml", {"flow.mesh_cells_per_neck=14"});
   const FlowGrid grid = solved(scene, scratch.path() / "pore");
   expect_laws(grid, 5e-3 * 3e-4 * 1e-4, 15e-3);
-  EXPECT_LT(grid.provenance["points_lost_at_walls"], 0.01);
+  EXPECT_LT(grid.record.points_lost_at_walls.value(), 0.01);
   // The case carries its walls: moved and mapped elsewhere it gives the same file.
   fs::rename(scratch.path() / "pore", scratch.path() / "moved");
   EXPECT_EQ(map_flow(scratch.path() / "moved").velocity, grid.velocity);

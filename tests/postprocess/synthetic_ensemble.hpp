@@ -7,7 +7,6 @@
 #include <string>
 
 #include "coupling/files/run_file.hpp"
-#include "coupling/files/run_record.hpp"
 #include "coupling/scene/scene.hpp"
 #include "tests/postprocess/samples.hpp"
 
@@ -107,7 +106,8 @@ inline RunData synthetic_run(const SyntheticEnsemble& ensemble, std::uint64_t se
   RunData run;
   run.seed = seed;
   run.scene_text = scene_of(ensemble);
-  run.provenance = {{"program", "synthetic"}, {run_record::fill_time, 0.08}};
+  run.record.program = "synthetic";
+  run.record.fill_time = 0.08;
   run.end_time = ensemble.end;
   const Scene scene = parse_scene(run.scene_text, "synthetic.toml");
   const double tau = scene.stokes_time();

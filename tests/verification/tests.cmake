@@ -8,7 +8,7 @@ add_library(clog_verification OBJECT
   verification/convergence.cpp
   verification/energy.cpp
   verification/invariants.cpp)
-target_link_libraries(clog_verification PUBLIC clog_dem)
+target_link_libraries(clog_verification PUBLIC clog_dem clog_test_support)
 clog_tests(test_verification
   SOURCES verification/test_verification.cpp
   LIBRARIES clog_verification LABELS verification)

@@ -17,8 +17,10 @@ inline bool all_finite(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
 }
 
-inline bool all_positive(const std::vector<double>& values) {
-  return all_finite(values) && std::all_of(values.begin(), values.end(), [](double v) { return v > 0; });
+/// Of times, lengths and counts.
+template <class... Numbers>
+bool finite_from_zero(Numbers... numbers) {
+  return (... && (std::isfinite(numbers) && numbers >= 0));
 }
 
 }  // namespace clogflow

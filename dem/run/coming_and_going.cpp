@@ -1,0 +1,48 @@
+#include "dem/run/coming_and_going.hpp"
+
+#include "coupling/base/require.hpp"
+#include "dem/run/blow_up.hpp"
+
+namespace clogflow {
+
+namespace {
+
+double energy_of(const ParticleState& p) { return kinetic_energy(p, {p.vx, p.vy, p.vz}, {p.wx, p.wy, p.wz}); }
+
+void check_inside(const RunState& state, std::size_t i) {
+  const ParticleState& p = state.particles[i];
+  const Domain& d = state.model.domain;
+  const std::string& note = state.model.walls_note;
+  const Vec3 place(p.x, p.y, p.z);
+  require((place.array() >= d.low.array()).all() && (place.array() <= d.high.array()).all(),
+          "particle {} left the walls, which reach from ({:.4g}, {:.4g}, {:.4g}) to ({:.4g}, {:.4g}, {:.4g}) m, at "
+          "({:.4g}, {:.4g}, {:.4g}) m, t = {:.6g} s: {}",
+          state.particles.id[i], d.low.x(), d.low.y(), d.low.z(), d.high.x(), d.high.y(), d.high.z(), p.x, p.y, p.z,
+          state.time(), note.empty() ? remedy(state, p) : "through an opening? " + note);
+}
+
+}  // namespace
+
+void feed_inlet(RunState& state) {
+  const double time = state.time();
+  if (!state.inlet.enabled() || time < state.next_insertion) return;
+  const std::size_t before = state.count();
+  if (state.inlet.insert(state.particles, state.fluid, state.random, time) > 0) state.lists.outdate();
+  for (std::size_t i = before; i < state.count(); ++i) state.energy.brought += energy_of(state.particles[i]);
+  state.next_insertion = time + state.inlet.interval();
+}
+
+std::vector<std::uint8_t> leaving_particles(RunState& state) {
+  std::vector<std::uint8_t> leaving(state.count(), 0);
+  for (std::size_t i = 0; i < state.count(); ++i) {
+    if (state.particles[i].x > state.model.domain.outlet) {
+      leaving[i] = 1;
+      state.energy.brought -= energy_of(state.particles[i]);
+    } else {
+      check_inside(state, i);
+    }
+  }
+  return leaving;
+}
+
+}  // namespace clogflow

@@ -1,0 +1,16 @@
+// The walls of a scene, where particles may be and where they leave.
+#pragma once
+
+#include "dem/run/model.hpp"
+
+namespace clogflow {
+
+/// Whether the scene has a channel, of keys or of a file.
+bool is_channel(const Scene& scene);
+
+/// Walls and limits: the box of a laboratory, the file's walls, or the channel (of keys or of a file) with a
+/// closed left end, so that no particle leaves against the flow.
+/// \throws Error for walls that cannot be those of the scene
+void build_walls(Model& model, const FlowGrid* flow);
+
+}  // namespace clogflow

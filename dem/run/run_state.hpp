@@ -1,0 +1,84 @@
+// What the next step depends on.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "dem/fluid/films.hpp"
+#include "dem/fluid/fluid.hpp"
+#include "dem/kernels/kernels.hpp"
+#include "dem/run/clog_watch.hpp"
+#include "dem/run/contact_lists.hpp"
+#include "dem/run/energy_balance.hpp"
+#include "dem/run/filling.hpp"
+#include "dem/run/inlet.hpp"
+#include "dem/run/model.hpp"
+#include "dem/run/step_clock.hpp"
+#include "dem/run/computing_time.hpp"
+#include "dem/stability/step_watch.hpp"
+#include "dem/state/particles.hpp"
+#include "dem/state/random.hpp"
+
+namespace clogflow {
+
+/// A run between two steps, but for what it recorded; and what the last forces showed.
+struct RunState {
+  /// \param constant  must outlive the state
+  RunState(const Model& constant, Fluid surrounding, std::uint64_t seed, const std::vector<Particle>& initial);
+  RunState(const RunState&) = delete;
+  RunState& operator=(const RunState&) = delete;
+
+  const Model& model;
+  const std::uint64_t seed;
+  StepClock clock;
+  Random random;
+  Inlet inlet;
+  Filling filling;
+  ClogWatch clog_watch;
+  Particles particles;
+  ContactLists lists;
+  Fluid fluid;
+  double next_insertion = 0, next_porosity = 0;  ///< when due [s]
+  double particle_steps = 0;                     ///< done
+  EnergyBalance energy;
+  StepWatch step_watch;
+  ComputingTime computing_time;
+
+  ContactTally pair_tally, wall_tally;  ///< of the last forces
+  /// Loads that nothing has used yet are cleared before they are summed anew; the kick clears what it uses.
+  bool loads_are_clear = false;
+
+  double time() const { return clock.time(); }
+  std::size_t count() const { return particles.size(); }
+  double largest_overlap() const {  ///< [m]
+    return std::max(pair_tally.largest_overlap, wall_tally.largest_overlap);
+  }
+
+  /// Friction is off in a tap of the filling and in a release.
+  bool has_friction() const { return !filling.is_tapping() && !clog_watch.friction_off(); }
+
+  /// A contact law as it is now.
+  ContactLaw present(ContactLaw law) const {
+    if (!has_friction()) law.friction = {};
+    return law;
+  }
+
+  /// Puts the walls in place that the stage of the filling asks for.
+  void place_walls();
+
+  /// Whether what was read from a saved state is one that a run can have. \return nullptr, or the part that is damaged
+  const char* damaged_part() const;
+
+  template <class Archive>
+  void exchange(Archive& archive) {
+    archive(filling);
+    // What was saved of the contacts belongs to these walls.
+    if (Archive::loading && filling.gate_is_closed()) place_walls();
+    archive(clock, random, inlet, clog_watch, particles, lists, fluid, next_insertion, next_porosity, particle_steps,
+            energy, step_watch, computing_time);
+    if (Archive::loading) lists.pairs.measure(particles);
+  }
+};
+
+}  // namespace clogflow

@@ -1,0 +1,51 @@
+#include "dem/run/whole_step.hpp"
+
+namespace clogflow {
+
+Vector<double> total_force(const RunState& state, int i) {
+  const auto& p = state.particles;
+  const auto& scene = state.model.scene;
+  const auto& body = scene.body_force;
+  const Vector<double> other{p[i].fx + body[0], p[i].fy + body[1], p[i].fz + body[2]};
+  const Vector<double> velocity{p[i].vx, p[i].vy, p[i].vz};
+  return other + (scene.time.integrator == Integrator::verlet
+                      ? state.fluid.drag_force(i, velocity)
+                      : state.fluid.implicit_drag_force(i, velocity, other, state.clock.kick() / p[i].mass));
+}
+
+Vector<double> velocity_now(const RunState& state, int i) {
+  const auto& p = state.particles;
+  const Vector<double> velocity{p[i].vx, p[i].vy, p[i].vz};
+  return velocity + state.clock.lag() / p[i].mass * total_force(state, i);
+}
+
+Vector<double> spin_now(const RunState& state, int i) {
+  const auto& p = state.particles;
+  const Vector<double> spin{p[i].wx, p[i].wy, p[i].wz};
+  return spin + state.clock.lag() / p[i].inertia * Vector<double>{p[i].tx, p[i].ty, p[i].tz};
+}
+
+double kinetic_energy(const RunState& state) {
+  double energy = 0;
+  for (int i = 0; i < static_cast<int>(state.count()); ++i)
+    energy += kinetic_energy(state.particles[i], velocity_now(state, i), spin_now(state, i));
+  return energy;
+}
+
+double elastic_energy(const RunState& state) {
+  const auto& p = state.particles;
+  const Laws& laws = state.model.laws;
+  const ContactSet& pairs = state.lists.pairs.contacts;
+  const WallContacts& walls = state.lists.walls;
+  double energy = walls.empty() ? 0 : walls.stored_energy(p, laws.wall.contact);
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const int i = pairs.first(k), j = pairs.second(k);
+    const PairPlace<double> place = pair_place(p, i, j);
+    const double distance = place.distance();
+    energy += laws.pair.stored_energy(place.contact(distance, place.overlap(distance), reduced(p[i].mass, p[j].mass)),
+                                      pairs.springs(k));
+  }
+  return energy;
+}
+
+}  // namespace clogflow
