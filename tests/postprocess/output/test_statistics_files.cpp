@@ -74,6 +74,9 @@ TEST_F(StatisticsFiles, recovers_the_laws_that_made_the_runs) {
   EXPECT_TRUE(group["quantities"]["share_failed"]["value"].is_null());
   EXPECT_EQ(group["runs"][0]["filling_time"], 0.08);
   EXPECT_EQ(group["label"], "D/d = 3.03");
+  // A single ensemble has no axis; what was looked for is said all the same.
+  EXPECT_EQ(all["trend"]["series"][0]["alpha"],
+            (json{{"law", "alpha = A exp(b x)"}, {"x", ""}, {"points", 1}, {"refused", "1 points (a line needs 3)"}}));
 }
 
 TEST_F(StatisticsFiles, releases) {
