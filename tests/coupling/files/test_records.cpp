@@ -124,10 +124,18 @@ template <class Record>
 void expect_units_in_names() {
   for_each_entry<Record>([](const auto& entry) {
     const std::string name = entry.name, unit = entry.unit;
-    if (unit == "s") EXPECT_THAT(name, EndsWith("_s"));
-    if (unit == "m/s") EXPECT_THAT(name, EndsWith("_m_s"));
-    if (unit == "1/s") EXPECT_THAT(name, EndsWith("_per_s"));
-    if (name.ends_with("_s")) EXPECT_THAT(unit, EndsWith("s"));
+    if (unit == "s") {
+      EXPECT_THAT(name, EndsWith("_s"));
+    }
+    if (unit == "m/s") {
+      EXPECT_THAT(name, EndsWith("_m_s"));
+    }
+    if (unit == "1/s") {
+      EXPECT_THAT(name, EndsWith("_per_s"));
+    }
+    if (name.ends_with("_s")) {
+      EXPECT_THAT(unit, EndsWith("s"));
+    }
   });
 }
 

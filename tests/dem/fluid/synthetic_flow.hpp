@@ -7,6 +7,7 @@
 #include "coupling/files/flow_grid.hpp"
 #include "coupling/geometry/channel_geometry.hpp"
 #include "coupling/geometry/channel_shape.hpp"
+#include "coupling/scene/scene.hpp"
 
 namespace clogflow::test {
 

@@ -98,7 +98,7 @@ TEST(EnergyAccount, ChangesNoBitOfTheRun) {
 
 TEST(EnergyAccount, OfContactsThatStickIsRefused) {
   Scene s = full_box(step, Integrator::verlet);
-  s.contact.law = ContactLawWord::jkr;
+  s.contact.law = "jkr";
   s.contact.surface_energy = 1e-4;
   Laboratory lab(s, crowd());
   EXPECT_THAT(refusal([&] { lab->account_for_energy(); }), testing::HasSubstr("contacts stick"));
