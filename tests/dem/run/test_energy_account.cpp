@@ -66,17 +66,15 @@ class EnergyAccountOf : public testing::TestWithParam<Integrator> {};
 
 TEST_P(EnergyAccountOf, AllTermsClosesToFirstOrderInTheStep) {
   const Closure coarse = closure(step, GetParam(), duration), fine = closure(step / 4, GetParam(), duration);
-  std::printf("gap %g %g of %g\n", coarse.gap / coarse.at_first, fine.gap / coarse.at_first, coarse.at_first);
   EXPECT_LT(coarse.gap, 0.01 * coarse.at_first);
-  EXPECT_LT(fine.gap, 0.4 * coarse.gap);
+  EXPECT_LT(fine.gap, 0.3 * coarse.gap);
 }
 
 TEST_P(EnergyAccountOf, AllTermsMissesEachThatIsLeftOut) {
-  const Closure whole = closure(step, GetParam(), duration);
+  const Closure whole = closure(step / 4, GetParam(), duration);
   const EnergyTerms& t = whole.terms;
-  std::printf("%g: %g %g %g %g %g %g\n", whole.gap, t.dashpots, t.sliders, t.films, t.stiffening, t.drag, t.body_force);
   for (const double term : {t.dashpots, t.sliders, t.films, t.stiffening, t.drag, t.body_force})
-    EXPECT_GT(std::abs(term), 3 * whole.gap);
+    EXPECT_GT(std::abs(term), 10 * whole.gap);
   // Nothing that dissipates gives energy back.
   for (const double term : {t.dashpots, t.sliders, t.films}) EXPECT_GT(term, 0);
 }
