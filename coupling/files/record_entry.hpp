@@ -13,6 +13,9 @@ struct RecordEntry {
   Member Record::*member;  ///< std::optional where a file may lack it
 };
 
+template <class Record, class Member>
+RecordEntry(const char*, const char*, Member Record::*) -> RecordEntry<Record, Member>;
+
 /// Record::entries() is its table, a tuple of RecordEntry.
 template <class Record, class Visit>
 void for_each_entry(const Visit& visit) {

@@ -152,5 +152,13 @@ TEST(SceneDifferences, AreFoundByValueWhereverTheyStand) {
   EXPECT_FALSE(find_role(wider, KeyRole::length));
 }
 
+TEST(SceneDifferences, OfAnEarlierProgramAreNoneWhereALaterKeyHasTheValueOfThen) {
+  const std::string before = "[contact]\nrestitution = 0.7\n";
+  EXPECT_TRUE(scene_differences(before, "[contact]\nlaw = \"hertz\"\nrestitution = 0.7\n").empty());
+  const auto other = scene_differences(before, "[contact]\nlaw = \"hooke\"\nrestitution = 0.7\n");
+  ASSERT_EQ(other.size(), 1u);
+  EXPECT_EQ(other[0].words(), "contact.law = nothing, now \"hooke\"");
+}
+
 }  // namespace
 }  // namespace clogflow::test
