@@ -1,9 +1,7 @@
 // clog run: the particles, for every seed asked for.
 
-#include <atomic>
 #include <chrono>
 #include <cmath>
-#include <csignal>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -17,6 +15,7 @@
 
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
+#include "cli/stop_signal.hpp"
 #include "cli/verbs.hpp"
 #include "coupling/base/require.hpp"
 #include "coupling/base/units.hpp"
@@ -32,11 +31,6 @@
 
 namespace clogflow::cli {
 namespace {
-
-/// Set by SIGTERM and SIGINT: the runs save their states and end. A lock-free atomic is all that a signal
-/// handler may touch.
-std::atomic<bool> stop_asked = false;
-std::atomic<int> stop_signal = 0;
 
 /// Time for rank 0 to say what all ranks would say, and to be ended by the launcher for it.
 constexpr std::chrono::seconds rank_0_speaks_within{5};
@@ -199,8 +193,7 @@ void conclude(const EnsembleCall& call, const EnsembleResult& result, const std:
 }
 
 void run(const RunOptions& options) {
-  for (const int signal : {SIGTERM, SIGINT, SIGALRM})
-    std::signal(signal, [](int number) { stop_signal = number, stop_asked = true; });
+  stop_at({SIGTERM, SIGINT, SIGALRM});
   if (!options.time_limit.empty()) stop_after(options.time_limit);
   const Launch launch = launch_from_environment();
   const auto points = on_every_rank(launch, [&] {

@@ -1,13 +1,12 @@
 // clog trade: cost against error, measured.
 
-#include <atomic>
-#include <csignal>
 #include <filesystem>
 #include <memory>
 #include <optional>
 
 #include <fmt/format.h>
 
+#include "cli/stop_signal.hpp"
 #include "cli/verbs.hpp"
 #include "coupling/base/publish_file.hpp"
 #include "coupling/base/require.hpp"
@@ -20,8 +19,6 @@ namespace clogflow::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::atomic<bool> stop_asked = false;
 
 struct TradeOptions {
   fs::path scene, flow, out;
@@ -52,8 +49,7 @@ void run(const TradeOptions& options) {
                      &stop_asked,   options.settings};
   std::optional<FlowGrid> flow;
   if (!options.flow.empty()) study.flow = &flow.emplace(read_flow_grid(options.flow));
-  std::signal(SIGTERM, [](int) { stop_asked = true; });
-  std::signal(SIGINT, [](int) { stop_asked = true; });
+  stop_at({SIGTERM, SIGINT});
   trade::run_study(study, ranks, [](const std::string& line) {
     fmt::print("{}\n", line);
     std::fflush(stdout);

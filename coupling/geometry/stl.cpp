@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t binary_header = 80, binary_facet = 50, head_size = 4096;
 
 /// Areas and volumes of larger coordinates would be infinite.
-constexpr double largest_coordinate = 1e90;
+constexpr double coordinate_limit = 1e90;
 
 class TextReader {
 public:
@@ -136,9 +136,8 @@ std::vector<StlSolid> read_stl_solids(const std::filesystem::path& file) {
     for (const Triangle& triangle : solid.triangles) {
       ++count;
       for (const Vec3& corner : triangle.corner)
-        require(corner.allFinite() && corner.cwiseAbs().maxCoeff() < largest_coordinate,
-                "{}: triangle {} has a coordinate that is not finite, or beyond {:.0g}", name, count,
-                largest_coordinate);
+        require(corner.allFinite() && corner.cwiseAbs().maxCoeff() < coordinate_limit,
+                "{}: triangle {} has a coordinate that is not finite, or beyond {:.0g}", name, count, coordinate_limit);
     }
   require(count > 0, "{}: holds no triangle", name);
   return solids;

@@ -8,6 +8,9 @@
 
 namespace clogflow {
 
+/// How a dictionary that we write begins.
+std::string dictionary_header(const char* object);
+
 /// system/blockMeshDict: half of the channel's height, and of its width where it is symmetric.
 /// \param half_height  [m]
 std::string block_mesh_dictionary(const FlowMesh& mesh, double half_height);

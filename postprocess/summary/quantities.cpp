@@ -42,7 +42,7 @@ Estimate exponent_from_counts(const Totals& t, double level) {
   return {1.0 + above_one.value, 1.0 + above_one.low, 1.0 + above_one.high};
 }
 
-const std::vector<Quantity> table{
+const std::vector<Quantity> all_quantities{
     {"mean_burst", "1", "<s>: passages per burst, over bursts of one or more",
      "no burst that began and ended within a run", [](const Totals& t) { return t.escaped / t.bursts; },
      [](const Totals& t, double level) { return mean_size(t.bursts, t.escaped, level); }},
@@ -89,11 +89,11 @@ Estimate from_counts(const Quantity& quantity, const Totals& sum, double level) 
 
 }  // namespace
 
-const std::vector<Quantity>& quantities() { return table; }
+const std::vector<Quantity>& quantities() { return all_quantities; }
 
 const Quantity* find_quantity(const std::string& key) {
-  const auto found = std::ranges::find(table, key, &Quantity::key);
-  return found == table.end() ? nullptr : &*found;
+  const auto found = std::ranges::find(all_quantities, key, &Quantity::key);
+  return found == all_quantities.end() ? nullptr : &*found;
 }
 
 Estimate estimate(const Quantity& quantity, const std::vector<Totals>& seeds, const Resampling& resampling) {
