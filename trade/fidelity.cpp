@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "coupling/base/require.hpp"
+#include "trade/knobs.hpp"
 #include "trade/results.hpp"
 
 namespace clogflow::trade {
@@ -43,13 +44,16 @@ const json& chosen(const Scene& scene, const std::string& file) {
 ResolvedScene read_resolved_scene(const std::filesystem::path& file, const Overrides& overrides) {
   Scene scene = read_scene(file, overrides);
   if (scene.fidelity.preset.empty() && scene.fidelity.tolerance == 0) return {std::move(scene), ""};
+  require_studied_laws(
+      scene, fmt::format("{}: fidelity.{}", file.string(), scene.fidelity.preset.empty() ? "tolerance" : "preset"));
   const json& setting = chosen(scene, file.string());
   Overrides all = setting["overrides"].get<Overrides>();
   const std::string note = fmt::format(
       "fidelity: setting {}, {:.3g} times cheaper than the reference; errors seen {:.2g} %, and up to {:.2g} % "
-      "could hide in the intervals: {}",
+      "could hide in the intervals{}: {}",
       setting["name"].get<std::string>(), setting["gain"].get<double>(), 100 * setting["error"].get<double>(),
-      100 * setting["hidden"].get<double>(), fmt::join(all, " "));
+      100 * setting["hidden"].get<double>(), scene.drag.law == "hoef" ? "" : " (measured with drag.law = \"hoef\")",
+      fmt::join(all, " "));
   all.insert(all.end(), overrides.begin(), overrides.end());
   scene = read_scene(file, all);
   scene.fidelity = {};

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "coupling/base/require.hpp"
+
 namespace clogflow::trade {
 
 namespace {
@@ -97,7 +99,17 @@ void add_physics(std::vector<Setting>& all) {
 
 }  // namespace
 
+void require_studied_laws(const Scene& scene, const std::string& what) {
+  const auto& contact = scene.contact;
+  require(contact.law == "hertz" && contact.turning == "luding",
+          "{}: contact.law = \"{}\" with contact.turning = \"{}\" (the knobs are those of \"hertz\" with \"luding\", "
+          "and nothing "
+          "was measured with others): choose stiffness, mass and step of this law yourself",
+          what, contact.law, contact.turning);
+}
+
 std::vector<Setting> settings_for(const Scene& scene) {
+  require_studied_laws(scene, "clog trade");
   std::vector<Setting> all{
       {"gpa3", "the paper's particles", "", Kind::numerics, full_numerics(gigapascals, 1)},
       {"mpa30", "Young's modulus / 100", "gpa3", Kind::numerics, full_numerics(stiffer, 1)},

@@ -24,6 +24,10 @@ struct Setting {
 /// is E = 3 GPa at tau/50 with the true mass; most knobs are turned on `cheap`, which a chain of
 /// refinements ties to it: gpa3, mpa30, tau50, mass10, cheap. At 30 MPa the true mass and step change nothing
 /// that was seen, at 3 MPa particles have more contacts: so cheap_30MPa stands before tau50.
+/// \throws Error as require_studied_laws()
 std::vector<Setting> settings_for(const Scene& scene);
+
+/// \throws Error, after `what`, unless the scene has the contact law whose numerics the knobs turn
+void require_studied_laws(const Scene& scene, const std::string& what);
 
 }  // namespace clogflow::trade

@@ -36,8 +36,8 @@ constexpr std::array units{
     ReadableUnit{{2, 1, -2}, "J", -12, 3},
 };
 
-constexpr std::array prefixes{Prefix{"p", -12}, Prefix{"n", -9}, Prefix{"u", -6}, Prefix{"m", -3},
-                              Prefix{"", 0},    Prefix{"k", 3},  Prefix{"M", 6},  Prefix{"G", 9}};
+constexpr std::array shown_prefixes{Prefix{"p", -12}, Prefix{"n", -9}, Prefix{"u", -6}, Prefix{"m", -3},
+                                    Prefix{"", 0},    Prefix{"k", 3},  Prefix{"M", 6},  Prefix{"G", 9}};
 
 /// d.ddd x 10^exponent, the fewest digits that are read back to the same bits.
 struct Decimal {
@@ -69,7 +69,7 @@ std::string with_point(std::string digits, std::size_t places) {
 
 std::optional<std::string> with_prefix(double si, const ReadableUnit& unit) {
   const Decimal decimal = decimal_of(std::abs(si));
-  for (const Prefix& prefix : prefixes) {
+  for (const Prefix& prefix : shown_prefixes) {
     const int places = decimal.exponent - prefix.exponent;
     if (prefix.exponent < unit.smallest || prefix.exponent > unit.largest || places < 0 || places > 2) continue;
     return fmt::format("{}{} {}{}", si < 0 ? "-" : "", with_point(decimal.digits, static_cast<std::size_t>(places)),

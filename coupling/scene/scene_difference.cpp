@@ -22,16 +22,14 @@ constexpr std::pair<std::string_view, KeyRole> harmless[] = {
     {"ensemble.sweep", KeyRole::nothing},
 };
 
-/// Keys that scenes of earlier programs do not print, with the value at which nothing is otherwise than it was for
-/// them.
-constexpr std::pair<std::string_view, std::string_view> as_before[] = {
+constexpr std::pair<std::string_view, std::string_view> later[] = {
     {"contact.law", "\"hertz\""},
     {"contact.turning", "\"luding\""},
     {"drag.law", "\"hoef\""},
 };
 
 bool is_as_before(const std::string& key, const std::string& value) {
-  return std::ranges::find(as_before, std::pair<std::string_view, std::string_view>(key, value)) != std::end(as_before);
+  return std::ranges::find(later, std::pair<std::string_view, std::string_view>(key, value)) != std::end(later);
 }
 
 using Values = std::vector<std::pair<std::string, std::string>>;
@@ -72,6 +70,8 @@ bool same_value(const std::string& a, const std::string& b) {
 }
 
 }  // namespace
+
+std::span<const std::pair<std::string_view, std::string_view>> later_keys() { return later; }
 
 KeyRole role_of(std::string_view key) {
   const auto* found = std::ranges::find(harmless, key, &std::pair<std::string_view, KeyRole>::first);

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace clogflow {
@@ -18,6 +20,10 @@ enum class KeyRole {
 
 /// Every key that is not known to be harmless decides the trajectory.
 KeyRole role_of(std::string_view key);
+
+/// Keys that the scenes of earlier programs do not print, each with the value, as printed, at which nothing is
+/// otherwise than it was for them.
+std::span<const std::pair<std::string_view, std::string_view>> later_keys();
 
 /// A key whose values differ, as the effective scenes print them; "nothing" where one has none.
 struct SceneDifference {

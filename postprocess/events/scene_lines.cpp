@@ -4,6 +4,8 @@
 #include <sstream>
 #include <string_view>
 
+#include "coupling/scene/scene_difference.hpp"
+
 namespace clogflow::postprocess {
 namespace {
 
@@ -38,6 +40,7 @@ SceneLines scene_lines(const std::string& effective_scene) {
   for_each_line(effective_scene, [&](const std::string&, const std::string& key, const std::string& value) {
     if (!key.empty() && !key.starts_with("ensemble.") && !key.starts_with("output.")) lines[key] = value;
   });
+  for (const auto& [key, value] : later_keys()) lines.try_emplace(std::string(key), value);
   return lines;
 }
 

@@ -10,7 +10,8 @@ namespace clogflow::postprocess {
 /// "section.key" -> value as written; only for the text that effective_scene produces.
 using SceneLines = std::map<std::string, std::string>;
 
-/// Leaves out the sections `ensemble` and `output`: they do not change what happens in a run.
+/// Leaves out the sections `ensemble` and `output`: they do not change what happens in a run. Keys that an earlier
+/// program did not print have the value of then.
 SceneLines scene_lines(const std::string& effective_scene);
 
 /// The text without the line of one key.

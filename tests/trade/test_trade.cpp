@@ -9,6 +9,7 @@
 #include "tests/coupling/refusal.hpp"
 #include "tests/faults/small_channel.hpp"
 #include "trade/fidelity.hpp"
+#include "trade/knobs.hpp"
 #include "trade/results.hpp"
 #include "trade/sample.hpp"
 #include "trade/study_file.hpp"
@@ -165,6 +166,17 @@ TEST(Fidelity, AToleranceChoosesTheCheapestWithinIt) {
 }
 
 TEST(Fidelity, RefusesWhatItDoesNotKnow) {
+  EXPECT_THAT(read_resolved_scene(paper, {"fidelity.preset=fast", "drag.law=stokes"}).note,
+              HasSubstr("(measured with drag.law = \"hoef\")"));
+  for (const char* wish : {"fidelity.preset=fast", "fidelity.tolerance=0.05"})
+    EXPECT_THAT(refusal([&] {
+                  read_resolved_scene(paper, {wish, "contact.turning=mercury"});
+                }),
+                HasSubstr("nothing was measured with others"));
+  EXPECT_THAT(refusal([] {
+                settings_for(read_scene(paper, {"contact.law=hooke", "contact.stiffness=1 N/m"}));
+              }),
+              HasSubstr("clog trade: contact.law = \"hooke\""));
   EXPECT_THAT(refusal([] { read_resolved_scene(paper, {"fidelity.preset=best"}); }),
               HasSubstr("fidelity.preset = \"best\" (must be \"reference\", \"standard\" or \"fast\")"));
   EXPECT_THAT(refusal([] {
