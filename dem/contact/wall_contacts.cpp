@@ -13,10 +13,6 @@ namespace {
 
 using Touch = WallContacts::Touch;
 
-/// A contact's place moves by less than this share of the radius in one step, where it goes over from one
-/// facet of a curved wall to the next too; two contacts of one sphere are farther apart, see one_touch.
-constexpr double same_place = 0.44;
-
 Vec3 centre_of(const Particles& p, int i) { return {p[i].x, p[i].y, p[i].z}; }
 
 Vector<double> to_vector(const Vec3& v) { return {v.x(), v.y(), v.z()}; }

@@ -13,6 +13,10 @@
 
 namespace clogflow {
 
+/// A contact's place moves by less than this share of the radius in one step, where it goes over from one
+/// facet of a curved wall to the next too; two contacts of one sphere are farther apart, see one_touch.
+inline constexpr double same_place = 0.44;
+
 /// Two lists, made anew together with the pair list: particles that can meet only the inside of a
 /// flat patch (a plane: the SIMD kernel), and particles near an edge or corner, or where a wall curves
 /// (triangle by triangle, facets of a curved wall joined). A contact is the same as in the last step if its place on

@@ -17,7 +17,7 @@ constexpr double same_normal = 1e-7;
 constexpr double same_distance = 1e-12;
 
 /// Places closer than this share of the reach are one.
-constexpr double same_place = 1e-7;
+constexpr double one_place = 1e-7;
 
 Vec3 normal_of(const Triangle& t) { return (t.corner[1] - t.corner[0]).cross(t.corner[2] - t.corner[0]).normalized(); }
 
@@ -97,8 +97,8 @@ bool WallSurface::may_share_a_touch(const WallPatch& patch, int triangle, double
   const auto& corner = triangles_[triangle].corner;
   const auto height = [&](const Vec3& c) { return patch.normal.dot(c) - patch.offset; };
   const double highest = std::max({height(corner[0]), height(corner[1]), height(corner[2])});
-  const bool same_plane = (normal - patch.normal).norm() < same_normal && std::abs(highest) <= same_place * reach;
-  return same_plane || highest > same_place * reach;
+  const bool same_plane = (normal - patch.normal).norm() < same_normal && std::abs(highest) <= one_place * reach;
+  return same_plane || highest > one_place * reach;
 }
 
 bool WallSurface::neighbour_comes_closer(int triangle, const Vec3& centre, const ClosestPoint& closest) const {
@@ -122,7 +122,7 @@ void WallSurface::closest_points(const std::vector<int>& triangles, const Vec3& 
     // Triangles around the edge or corner: one that comes closer holds the true contact.
     if (closest.corners < 3 && neighbour_comes_closer(t, centre, closest)) continue;
     const bool known = std::any_of(found.begin() + begin, found.end(), [&](const WallPoint& w) {
-      return (w.point - closest.point).norm() < same_place * reach;
+      return (w.point - closest.point).norm() < one_place * reach;
     });
     if (known) continue;
     const Vec3 normal = distance > 0 ? Vec3(away / distance) : patches_[patch_[t]].normal;

@@ -55,14 +55,14 @@ constexpr auto make_rows(KindList<Kinds...>) {
                              make_row<Kinds>(number++)}...};
 }
 
-const auto rows = make_rows(ContactKinds{});
+const auto contact_law_rows = make_rows(ContactKinds{});
 
 }  // namespace
 
 ContactLaw make_contact_law(std::string_view law, std::string_view turning, const ContactMaterials& materials,
                             const FrictionLaw& friction) {
   std::string there;
-  for (const NamedRow& row : rows) {
+  for (const NamedRow& row : contact_law_rows) {
     if (row.law == law && row.turning == turning) return {&row.row, row.constants(materials), friction};
     if (row.law == law) there += fmt::format("{}\"{}\"", there.empty() ? "" : ", ", row.turning);
   }

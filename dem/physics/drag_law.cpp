@@ -17,12 +17,12 @@ constexpr std::array<DragLaw, sizeof...(Laws)> make_rows() {
   return {DragLaw{Laws::word, Laws::knows_slip, Laws::factor}...};
 }
 
-constexpr auto rows = make_rows<HoefDrag, StokesDrag, BeetstraDrag>();
+constexpr auto drag_law_rows = make_rows<HoefDrag, StokesDrag, BeetstraDrag>();
 
 }  // namespace
 
 const DragLaw& find_drag_law(std::string_view word) {
-  for (const DragLaw& row : rows)
+  for (const DragLaw& row : drag_law_rows)
     if (row.word == word) return row;
   throw Error(fmt::format("drag.law = \"{}\" has no row in the registry", word));
 }

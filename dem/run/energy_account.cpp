@@ -12,10 +12,6 @@ namespace {
 /// Beyond any load: a slider with this coefficient never slips.
 constexpr double endless_grip = 1e100;
 
-/// Two contacts of a sphere with walls are farther apart than this share of its radius, a contact's place in two
-/// steps nearer.
-constexpr double same_place = 0.44;
-
 ContactLaw sticking(ContactLaw law) {
   for (double* coefficient : {&law.friction.sliding, &law.friction.rolling, &law.friction.torsion})
     if (*coefficient > 0) *coefficient = endless_grip;
