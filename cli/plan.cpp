@@ -66,7 +66,7 @@ void print_plan(const PlanOptions& options) {
     fmt::print("{:<34} {:<42} {:>10.3g}  {:<7} {:<9} {:<5} {}\n", t.term, t.number, t.value, t.needed ? "yes" : "no",
                t.modelled ? "yes" : "no", share_of(t), t.reason);
   fmt::print("\ntime step {:.4g} s\n", plan.dt);
-  print_limit("Hertz contact time", plan.limits.contact_time, plan.dt);
+  print_limit(plan.limits.linear ? "contact time" : "Hertz contact time", plan.limits.contact_time, plan.dt);
   print_limit("Rayleigh time", plan.limits.rayleigh_time, plan.dt);
   print_limit("explicit drag", plan.limits.drag, plan.dt);
   print_limit("lubrication at h = 2 xi", plan.limits.lubrication, plan.dt);

@@ -47,4 +47,15 @@ Laws make_laws(const Scene& scene) {
   return laws;
 }
 
+bool adheres(const Scene::Contact& contact) { return contact.law == "jkr" || contact.law == "dmt"; }
+
+const char* stiffness_key(const Scene::Contact& contact) {
+  return contact.law == "hooke" ? "contact.stiffness" : "contact.youngs_modulus";
+}
+
+std::string overlap_remedy(const Scene::Contact& contact, const char* between) {
+  const std::string stiffer = std::string("raise ") + stiffness_key(contact);
+  return adheres(contact) ? stiffer + between + "lower contact.surface_energy" : stiffer;
+}
+
 }  // namespace clogflow

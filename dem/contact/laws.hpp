@@ -1,6 +1,8 @@
 // The laws of a scene: what acts between two particles, and between a particle and a wall.
 #pragma once
 
+#include <string>
+
 #include "coupling/scene/scene.hpp"
 #include "dem/physics/contact_law.hpp"
 #include "dem/physics/lubrication.hpp"
@@ -24,5 +26,15 @@ struct Laws {
 
 /// Those that the sections [contact] and [lubrication] name; the step is not known yet.
 Laws make_laws(const Scene& scene);
+
+/// Whether spheres of this law stick.
+bool adheres(const Scene::Contact& contact);
+
+/// The key of the scene to raise for stiffer contacts.
+const char* stiffness_key(const Scene::Contact& contact);
+
+/// What makes overlaps smaller: "raise contact.youngs_modulus", and less adhesion where there is some.
+/// \param between  the two, if there are two
+std::string overlap_remedy(const Scene::Contact& contact, const char* between = " or ");
 
 }  // namespace clogflow

@@ -17,11 +17,12 @@ constexpr double least_porosity = 0.2;
 
 }  // namespace
 
-PorosityStrips::PorosityStrips(double start, double end, std::vector<double> volumes)
+PorosityStrips::PorosityStrips(double start, double end, std::vector<double> volumes, std::string remedy)
     : start_(start),
       length_((end - start) / static_cast<double>(volumes.size())),
       volume_(std::move(volumes)),
-      porosity_(volume_.size(), 1.0) {}
+      porosity_(volume_.size(), 1.0),
+      remedy_(std::move(remedy)) {}
 
 void PorosityStrips::update(const Particles& p) {
   std::vector<double> solid(volume_.size(), 0.0);
@@ -42,9 +43,8 @@ void PorosityStrips::update(const Particles& p) {
   for (std::size_t k = 0; k < solid.size(); ++k) {
     porosity_[k] = 1 - solid[k] / volume_[k];
     require(porosity_[k] >= least_porosity,
-            "porosity {:.3f} in strip {} of {} (below {}, particles must be overlapping): raise "
-            "contact.youngs_modulus or use fewer strips",
-            porosity_[k], k + 1, solid.size(), least_porosity);
+            "porosity {:.3f} in strip {} of {} (below {}, particles must be overlapping): {} or use fewer strips",
+            porosity_[k], k + 1, solid.size(), least_porosity, remedy_);
   }
 }
 

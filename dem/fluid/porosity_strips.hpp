@@ -1,6 +1,7 @@
 // Porosity strip by strip along the upstream channel.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "dem/kernels/grid_place.hpp"
@@ -25,7 +26,8 @@ public:
 
   /// \param start, end  x of the first and of the last edge [m];  \param volumes  of the strips
   /// [m3]
-  PorosityStrips(double start, double end, std::vector<double> volumes);
+  PorosityStrips(double start, double end, std::vector<double> volumes,
+                 std::string remedy = "raise contact.youngs_modulus");
 
   /// Measures anew. \throws Error if a strip holds more solid than can be
   void update(const Particles& particles);
@@ -52,6 +54,7 @@ private:
   double start_ = 0, length_ = 1;  // of the first edge, of a strip [m]
   std::vector<double> volume_;     // [m3]
   std::vector<double> porosity_;   // [-]
+  std::string remedy_ = "raise contact.youngs_modulus";
 };
 
 }  // namespace clogflow

@@ -48,4 +48,24 @@ inline double collision_stokes_number(const SphereInFluid& s, double speed) {
   return mass * speed / (6 * std::numbers::pi * s.viscosity * radius * radius);
 }
 
+/// Adhesion over drag: the force that parts two spheres over Stokes' drag 3 pi eta d v of one.
+/// \param pull_off  [N]: jkr_pull_off, Dmt::pull_off
+inline double adhesion_number(double pull_off, const SphereInFluid& s, double speed) {
+  return pull_off / (stokes_coefficient(s.viscosity, s.diameter) * speed);
+}
+
+/// Tabor's number, the neck that adhesion pulls over the reach of the forces between surfaces:
+///   mu_T = (R* w^2 / (E*^2 z0^3))^(1/3),  z0 = 0.165 nm
+/// \param surface_energy  w [J/m2];  \param modulus E* [Pa];  \param radius R* [m]
+/// \source D. Tabor, J. Colloid Interface Sci. 58 (1977) 2; z0: Israelachvili, Intermolecular and Surface Forces
+inline double tabor_number(double surface_energy, double modulus, double radius) {
+  constexpr double distance = 0.165e-9;  // z0 [m]
+  const double strain = surface_energy / modulus;
+  return std::cbrt(radius * strain * strain) / distance;
+}
+
+/// Tabor's number above which spheres stick as law jkr says, and below which as law dmt does.
+/// \source the map of Johnson & Greenwood, J. Colloid Interface Sci. 192 (1997) 326
+inline constexpr double jkr_from = 5, dmt_until = 0.1;
+
 }  // namespace clogflow

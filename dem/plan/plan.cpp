@@ -9,6 +9,9 @@
 #include "coupling/flow/flow_rescale.hpp"
 #include "coupling/geometry/channel_shape.hpp"
 #include "dem/physics/dimensionless.hpp"
+#include "dem/physics/jkr.hpp"
+#include "dem/physics/laws/dmt.hpp"
+#include "dem/physics/material_pair.hpp"
 #include "dem/physics/time_step.hpp"
 #include "dem/plan/term_costs.hpp"
 #include "dem/run/initial_placement.hpp"
@@ -29,6 +32,9 @@ constexpr double filling_share = 0.7;
 /// Bytes per particle of state, pair list and springs.
 constexpr double bytes_per_particle = 900;
 
+/// What a drag law that knows the Reynolds number still leaves out.
+constexpr const char* lift = "lift or added mass";
+
 struct Judge {
   Plan& plan;
   void operator()(PlannedTerm term) const { plan.terms.push_back(std::move(term)); }
@@ -48,13 +54,20 @@ void judge_fluid(const Scene& s, const Judge& term) {
     term({"fluid inertia in the neck", "Re at the neck's mean velocity", neck, neck > 0.1, true,
           "below 0.1 one Stokes field serves all flow rates"});
     const double slip = reynolds_number(s.fluid.density, neck_speed, sphere.diameter, s.fluid.viscosity);
-    term({"inertial drag, lift, added mass", "Re_p = rho v_neck d / eta", slip, slip > 1, false,
-          "the drag law holds for Re_p << 1"});
+    const DragLaw& law = drag_law(s);
+    if (law.knows_slip) {
+      term({"inertial drag", "Re_p = rho v_neck d / eta", slip, slip > 1, drag, "the drag law knows Re_p"});
+      term({lift, "Re_p = rho v_neck d / eta", slip, slip > 1, false, "inertial drag is modelled, these are not"});
+    } else {
+      term({"inertial drag, lift, added mass", "Re_p = rho v_neck d / eta", slip, slip > 1, false,
+            "the drag law holds for Re_p << 1"});
+    }
     term({"gravity", "settling velocity / v", settling_ratio(sphere, v), settling_ratio(sphere, v) > 0.01, false,
           "density matched when 0"});
     const double peclet = peclet_number(sphere, v);
     term({"Brownian motion", "Pe = v d / D_0", peclet, peclet < 1e3, false, "diffusion << flow"});
-    term({"drag", "f(eps) in the pack", drag_law(s).slow_factor(pack_porosity), true, drag, "drives everything"});
+    term({"drag", law.knows_slip ? "f(eps, Re_p) in the pack" : "f(eps) in the pack",
+          law.factor({pack_porosity, law.knows_slip ? slip : 0}), true, drag, "drives everything"});
     const double stokes =
         response_time(sphere, drag_law(s).slow_factor(pack_porosity)) * s.time.mass_scale * v / sphere.diameter;
     term({"particle inertia", "St = t_response v / d, mass scale included", stokes, stokes > 0.1, true,
@@ -82,6 +95,32 @@ void judge_contacts(const Scene& s, const Model& model, const Judge& term) {
   term({"sliding friction", "mu", f.sliding, true, f.sliding > 0, "arches need it"});
   term({"rolling friction", "mu_r", f.rolling, false, f.rolling > 0, "a term at 0 costs nothing"});
   term({"torsion friction", "mu_o", f.torsion, false, f.torsion > 0, "a term at 0 costs nothing"});
+}
+
+void judge_adhesion(const Scene& s, Plan& plan) {
+  const auto& c = s.contact;
+  if (!adheres(c)) return;
+  const bool soft = c.law == "jkr";
+  const double radius = s.particles.diameter / 4, v = s.flow_speed();
+  Dmt hard;
+  hard.surface_energy = c.surface_energy;
+  const double pull_off = soft ? jkr_pull_off(c.surface_energy, radius) : hard.pull_off(radius);
+  if (v > 0) {
+    const double ratio =
+        adhesion_number(pull_off, {s.particles.diameter, s.particles.density, s.fluid.density, s.fluid.viscosity}, v);
+    plan.terms.push_back({"adhesion", "pull-off force / (3 pi eta d v)", ratio, ratio > 0.01, true,
+                          "above 1 the drag of one sphere parts no pair"});
+  }
+  const Material own{c.youngs_modulus, c.poisson_ratio};
+  const double tabor = tabor_number(c.surface_energy, effective_modulus(own, own), radius);
+  plan.terms.push_back({"law of adhesion", "Tabor's mu_T", tabor, true, true,
+                        fmt::format("jkr above {}, dmt below {}", jkr_from, dmt_until)});
+  if (soft && tabor < dmt_until)
+    plan.law_note =
+        fmt::format("Tabor's mu_T = {:.3g} is below {}: contact.law = \"dmt\" fits, not \"jkr\"", tabor, dmt_until);
+  if (!soft && tabor > jkr_from)
+    plan.law_note =
+        fmt::format("Tabor's mu_T = {:.3g} is above {}: contact.law = \"jkr\" fits, not \"dmt\"", tabor, jkr_from);
 }
 
 void find_limits(const Scene& s, const Model& model, Plan& plan) {
@@ -126,6 +165,8 @@ Plan make_plan(const Scene& scene) {
   plan.walls_note = model.walls_note;
   judge_fluid(scene, Judge{plan});
   judge_contacts(scene, model, Judge{plan});
+  judge_adhesion(scene, plan);
+  plan.contact = scene.contact;
   find_limits(scene, model, plan);
   estimate_cost(scene, model, plan);
   judge_flow(scene, plan);
@@ -137,16 +178,20 @@ std::vector<std::string> warnings(const Plan& plan) {
   if (!plan.walls_note.empty()) lines.push_back(plan.walls_note);
   for (const PlannedTerm& t : plan.terms) {
     if (t.needed && !t.modelled)
-      lines.push_back(fmt::format("{} is needed ({} = {:.3g}) but not modelled", t.term, t.number, t.value));
+      lines.push_back(fmt::format("{} is needed ({} = {:.3g}) but not modelled{}", t.term, t.number, t.value,
+                                  t.term == lift ? "; inertial drag is" : ""));
     if (t.term == "particle inertia" && t.needed)
       lines.push_back(fmt::format("{} = {:.3g}: lower time.mass_scale", t.number, t.value));
     if (t.term == "particle stiffness" && t.needed)
-      lines.push_back(fmt::format("{} = {:.3g} (too soft below 30): raise contact.youngs_modulus", t.number, t.value));
+      lines.push_back(
+          fmt::format("{} = {:.3g} (too soft below 30): {}", t.number, t.value, overlap_remedy(plan.contact)));
   }
+  if (!plan.law_note.empty()) lines.push_back(plan.law_note);
   if (plan.dt > plan.limits.smallest())
     lines.push_back(
         fmt::format("the step of {:.3g} s is unstable: the limit is {:.3g} s", plan.dt, plan.limits.smallest()));
-  for (const std::string& line : {passing_warning(plan.limits, plan.dt), impact_warning(plan.limits, plan.dt)})
+  for (const std::string& line : {overlap_warning(plan.limits, plan.contact), passing_warning(plan.limits, plan.dt),
+                                  impact_warning(plan.limits, plan.dt)})
     if (!line.empty()) lines.push_back(line);
   if (plan.way_limit > 0 && plan.dt > plan.way_limit)
     lines.push_back(

@@ -62,7 +62,8 @@ std::string remedy(const RunState& state, const ParticleState& worst) {
   // start's.
   if (state.particle_steps == 0 && state.largest_overlap() > deepest_overlap * 2 * state.lists.pairs.smallest_radius)
     return "it begins so: move particles apart, or away from the walls";
-  return fmt::format("lower {} or raise contact.youngs_modulus", state.model.step_key());
+  const Scene::Contact& contact = state.model.scene.contact;
+  return fmt::format("lower {}{}{}", state.model.step_key(), adheres(contact) ? ", " : " or ", overlap_remedy(contact));
 }
 
 void blow_up(const RunState& state, const char* cause, int particle) {

@@ -110,8 +110,10 @@ StepLimits expected_limits(const Model& model, const std::vector<Particle>& init
 }
 
 std::string check_step(const StepLimits& limits, const Model& model) {
-  return check_step(limits,
-                    {.dt = model.dt, .key = model.step_key(), .allow_unstable = model.scene.time.allow_unstable});
+  return check_step(limits, {.dt = model.dt,
+                             .key = model.step_key(),
+                             .allow_unstable = model.scene.time.allow_unstable,
+                             .contact = model.scene.contact});
 }
 
 Model make_model(const Scene& scene, const FlowGrid* flow, const std::vector<Particle>& initial) {
@@ -154,7 +156,7 @@ Fluid make_fluid(const Scene& scene, const FlowGrid* flow) {
     std::vector<double> volumes;
     for (int k = 0; k < scene.porosity.strips; ++k)
       volumes.push_back(channel_volume(scene.geometry, start + k * step, start + (k + 1) * step));
-    strips = PorosityStrips(start, 0, volumes);
+    strips = PorosityStrips(start, 0, volumes, overlap_remedy(scene.contact, ", "));
   }
   return {scene, std::move(field), std::move(strips)};
 }

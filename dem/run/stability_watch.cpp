@@ -117,9 +117,11 @@ void StabilityWatch::check_overlap(RunState& state) const {
   if (!(overlap <= deepest_overlap * diameter)) blow_up(state, "pressed too deep", deepest_contact(state).particle);
   if (state.step_watch.deep || overlap <= deep_overlap * diameter) return;
   state.step_watch.deep = true;
-  say(fmt::format(
-      "t = {:.6g} s, {}: beyond {} of a diameter Hertz's law is off by 10 % and more; raise contact.youngs_modulus",
-      state.time(), contact_words(state, deepest_contact(state)), deep_overlap));
+  const Scene::Contact& contact = state.model.scene.contact;
+  const char* wrong =
+      contact.law == "hooke" ? "spheres no longer touch in points" : "Hertz's law is off by 10 % and more";
+  say(fmt::format("t = {:.6g} s, {}: beyond {} of a diameter {}; {}", state.time(),
+                  contact_words(state, deepest_contact(state)), deep_overlap, wrong, overlap_remedy(contact)));
 }
 
 }  // namespace clogflow

@@ -98,8 +98,10 @@ StepLimits expected_limits(const StepScene& asked, const std::vector<Particle>& 
   const double shear = s.contact.youngs_modulus / (2 * (1 + s.contact.poisson_ratio));
   StepLimits limits;
   limits.contact_time = asked.contact_time;
-  limits.rayleigh_time =
-      rayleigh_time(sphere.radius, s.particles.density * s.time.mass_scale, shear, s.contact.poisson_ratio);
+  limits.linear = s.contact.law == "hooke";
+  if (!limits.linear)
+    limits.rayleigh_time =
+        rayleigh_time(sphere.radius, s.particles.density * s.time.mass_scale, shear, s.contact.poisson_ratio);
   limits.drag = limits.lubrication = limits.contacts = infinite;
   limits.passing = d / fastest_way(s, initial);
   if (s.drag.enabled && s.time.integrator == Integrator::verlet)
@@ -127,12 +129,19 @@ std::string limit_words(const StepLimits& l, double dt) {
   const auto ratio = [&](const char* name, double limit) {
     if (limit > 0) line += fmt::format(", dt/{} {:.2g}", name, dt / limit);
   };
-  ratio("tau_Hertz", l.contact_time);
+  ratio(l.linear ? "contact time" : "tau_Hertz", l.contact_time);
   ratio("Rayleigh", l.rayleigh_time);
   ratio("drag limit", l.drag);
   ratio("lubrication limit", l.lubrication);
   ratio("contact limit", l.contacts);
   return line;
+}
+
+std::string overlap_warning(const StepLimits& l, const Scene::Contact& contact) {
+  if (l.expected_overlap <= deepest_overlap) return {};
+  return fmt::format(
+      "overlaps of {:.2g} diameters are to be expected (no more than {} means anything): {} or slow the flow",
+      l.expected_overlap, deepest_overlap, overlap_remedy(contact, ", "));
 }
 
 std::string passing_warning(const StepLimits& l, double dt) {
@@ -160,10 +169,8 @@ std::string check_step(const StepLimits& l, const StepChoice& step) {
           "in a step of {:.3g} s the fastest particles go {:.2g} of a diameter (no more than {}, or contacts are met "
           "too late): lower {}",
           step.dt, step.dt / l.passing, longest_share, step.key);
-  require(l.expected_overlap <= deepest_overlap,
-          "overlaps of {:.2g} diameters are to be expected (no more than {} means anything): raise "
-          "contact.youngs_modulus or slow the flow",
-          l.expected_overlap, deepest_overlap);
+  const std::string deep = overlap_warning(l, step.contact);
+  require(deep.empty(), "{}", deep);
   const double limit = l.smallest(), dt = step.dt;
   const char* force = limit == l.drag ? "drag" : limit == l.lubrication ? "lubrication" : "the contacts";
   const char* key = step.key;
@@ -172,7 +179,7 @@ std::string check_step(const StepLimits& l, const StepChoice& step) {
       : limit == l.lubrication
           ? fmt::format(
                 "set time.integrator = \"implicit_fluid\", lower {}, raise time.mass_scale or particles.roughness", key)
-          : fmt::format("lower {} or contact.youngs_modulus", key);
+          : fmt::format("lower {} or {}", key, stiffness_key(step.contact));
   if (dt > limit) {
     const std::string what = fmt::format("the step of {:.3g} s is unstable: {} allow{} {:.3g} s; {}", dt, force,
                                          limit == l.contacts ? "" : "s", limit, remedy);

@@ -14,11 +14,12 @@ namespace clogflow {
 /// Largest stable steps, each on its own [s]; infinite where nothing limits. The two times are no limits but
 /// what the literature measures steps by.
 struct StepLimits {
-  double contact_time = 0;  ///< tau_Hertz; 0: nothing moves
-  double rayleigh_time = 0;
-  double drag = 0;         ///< 2 m / c at the pack's porosity; infinite when implicit
-  double lubrication = 0;  ///< 2 m* / c of two particles 2 xi apart
-  double contacts = 0;     ///< of a sphere in a pack at the expected load, all springs and dashpots
+  double contact_time = 0;   ///< tau_Hertz; 0: nothing moves
+  double rayleigh_time = 0;  ///< 0: the law knows no modulus
+  bool linear = false;       ///< springs of law hooke: the contact time is theirs, not that of Hertz
+  double drag = 0;           ///< 2 m / c at the pack's porosity; infinite when implicit
+  double lubrication = 0;    ///< 2 m* / c of two particles 2 xi apart
+  double contacts = 0;       ///< of a sphere in a pack at the expected load, all springs and dashpots
   double impact = std::numeric_limits<double>::infinity();  ///< of two spheres that meet alone, springs and dashpot
                                                             ///< along the normal
   bool films_brake = false;  ///< films take the energy of collisions, whatever the dry restitution
@@ -42,6 +43,7 @@ struct StepChoice {
   double dt;  ///< [s]
   const char* key;
   bool allow_unstable;
+  const Scene::Contact& contact;  ///< decides what is to be made stiffer or softer
 };
 
 /// Limits that follow from the scene alone. The load is the larger of a collision at 0.1 v (or of the fastest
@@ -65,6 +67,9 @@ inline constexpr double deep_overlap = 0.1;
 /// Share of a diameter that nothing may go in a step: a run takes what is faster for thrown by a contact that
 /// was met too late. Above the smaller share a run and its plan warn.
 inline constexpr double longest_share = 0.25, long_share = 0.1;
+
+/// One line where overlaps are to be expected that a run refuses, or nothing.
+std::string overlap_warning(const StepLimits& limits, const Scene::Contact& contact);
 
 /// One line on a step in which particles go far, or nothing.
 std::string passing_warning(const StepLimits& limits, double dt);

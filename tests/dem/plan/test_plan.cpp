@@ -8,6 +8,7 @@
 #include "coupling/flow/flow_rescale.hpp"
 #include "dem/physics/dimensionless.hpp"
 #include "dem/physics/hertz.hpp"
+#include "dem/physics/jkr.hpp"
 #include "dem/plan/machine_speed.hpp"
 #include "dem/plan/plan.hpp"
 #include "dem/plan/term_costs.hpp"
@@ -16,11 +17,17 @@
 namespace clogflow::test {
 namespace {
 
+using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 constexpr SphereInFluid paper{.diameter = 33e-6, .density = 1062, .fluid_density = 1062, .viscosity = 1.8e-3};
+
+const PlannedTerm& term_named(const Plan& plan, const std::string& name) {
+  return *std::ranges::find(plan.terms, name, &PlannedTerm::term);
+}
 
 TEST(Dimensionless, ReynoldsOfThePaper) {
   // 1062 x 5e-3 x 1e-4 / 1.8e-3
@@ -78,8 +85,52 @@ TEST(Plan, WarnsOfWhatIsMissing) {
   EXPECT_THAT(warnings(make_plan(cheap_paper_scene({"time.step_fraction=0.5"}))), Contains(HasSubstr("is unstable")));
 }
 
-const PlannedTerm& term_named(const Plan& plan, const std::string& name) {
-  return *std::ranges::find(plan.terms, name, &PlannedTerm::term);
+TEST(Dimensionless, AdhesionOverDrag) {
+  // 1.5 pi 1e-3 x 8.25e-6 = 3.8877e-8 N over 5.5983e-7 x 5e-3 = 2.79915e-9 N
+  EXPECT_NEAR(adhesion_number(jkr_pull_off(1e-3, 8.25e-6), paper, 5e-3), 13.889, 1e-3);
+}
+
+TEST(Dimensionless, Tabor) {
+  // (8.25e-6 x 1e-6 / (2.920681e12 x 4.492125e-30))^(1/3) = 628808^(1/3)
+  EXPECT_NEAR(tabor_number(1e-3, 1.709e6, 8.25e-6), 85.672, 1e-3);
+  // (1e-8 x 1e-2 / (1.6e21 x 4.492125e-30))^(1/3) = 0.0139133^(1/3)
+  EXPECT_NEAR(tabor_number(0.1, 4e10, 1e-8), 0.24052, 1e-4);
+}
+
+TEST(Plan, AdvisesOnTheKeysOfTheLaw) {
+  const auto hooke = warnings(make_plan(cheap_paper_scene({"contact.law=hooke", "contact.stiffness=1e-3 N/m"})));
+  EXPECT_THAT(hooke, Contains(HasSubstr("(too soft below 30): raise contact.stiffness")));
+  EXPECT_THAT(hooke, Not(Contains(HasSubstr("youngs_modulus"))));
+  EXPECT_THAT(warnings(make_plan(cheap_paper_scene(
+                  {"contact.law=jkr", "contact.surface_energy=1 mJ/m2", "contact.youngs_modulus=1e5 Pa"}))),
+              Contains(HasSubstr("raise contact.youngs_modulus or lower contact.surface_energy")));
+}
+
+TEST(Plan, SaysThatARunWouldRefuseSoftSprings) {
+  const Plan plan = make_plan(cheap_paper_scene({"contact.law=hooke", "contact.stiffness=1e-9 N/m"}));
+  EXPECT_THAT(warnings(plan), Contains(HasSubstr("raise contact.stiffness or slow the flow")));
+  EXPECT_EQ(plan.limits.rayleigh_time, 0);
+  EXPECT_THAT(limit_words(plan.limits, plan.dt), AllOf(HasSubstr("dt/contact time"), Not(HasSubstr("Rayleigh"))));
+}
+
+TEST(Plan, InertialDragIsModelledByALawThatKnowsIt) {
+  const Overrides fast{"drag.law=beetstra", "flow.mean_velocity=0.15 m/s"};
+  const Plan plan = make_plan(cheap_paper_scene(fast));
+  EXPECT_TRUE(term_named(plan, "inertial drag").modelled);
+  EXPECT_THAT(warnings(plan), Contains(HasSubstr("but not modelled; inertial drag is")));
+  EXPECT_GT(term_named(plan, "drag").value, term_named(make_plan(cheap_paper_scene()), "drag").value);
+}
+
+TEST(Plan, WeighsAdhesion) {
+  const auto sticky = [](const char* law) {
+    return make_plan(cheap_paper_scene({std::string("contact.law=") + law, "contact.surface_energy=1 mJ/m2"}));
+  };
+  const Plan jkr = sticky("jkr"), dmt = sticky("dmt");
+  EXPECT_NEAR(term_named(jkr, "adhesion").value, 13.889, 1e-3);
+  EXPECT_NEAR(term_named(dmt, "adhesion").value, 18.519, 1e-3);
+  EXPECT_GT(term_named(jkr, "law of adhesion").value, 5);
+  EXPECT_EQ(jkr.law_note, "");
+  EXPECT_THAT(warnings(dmt), Contains(HasSubstr("contact.law = \"jkr\" fits")));
 }
 
 TEST(Plan, SharesOfTheCostAreThoseOfTheTermsThatTheSceneHas) {
