@@ -47,10 +47,10 @@ Laws make_laws(const Scene& scene) {
   return laws;
 }
 
-bool adheres(const Scene::Contact& contact) { return contact.law == "jkr" || contact.law == "dmt"; }
+bool adheres(const Scene::Contact& contact) { return contact_traits(contact.law).sticks; }
 
 const char* stiffness_key(const Scene::Contact& contact) {
-  return contact.law == "hooke" ? "contact.stiffness" : "contact.youngs_modulus";
+  return contact_traits(contact.law).knows_modulus ? "contact.youngs_modulus" : "contact.stiffness";
 }
 
 std::string overlap_remedy(const Scene::Contact& contact, const char* between) {

@@ -43,6 +43,7 @@ constexpr ContactLawRow make_row(int number) {
 /// What a scene calls a row, and how its constants are made.
 struct NamedRow {
   std::string_view law, turning;
+  ContactTraits traits;
   LawConstants (*constants)(const ContactMaterials&);
   ContactLawRow row;
 };
@@ -50,7 +51,7 @@ struct NamedRow {
 template <class... Kinds>
 constexpr auto make_rows(KindList<Kinds...>) {
   int number = 0;
-  return std::array{NamedRow{Kinds::Normal::word, Kinds::Turning::word,
+  return std::array{NamedRow{Kinds::Normal::word, Kinds::Turning::word, Kinds::Normal::traits,
                              [](const ContactMaterials& m) { return LawConstants(Kinds::Normal::of(m)); },
                              make_row<Kinds>(number++)}...};
 }
@@ -68,6 +69,12 @@ ContactLaw make_contact_law(std::string_view law, std::string_view turning, cons
   }
   throw Error(
       fmt::format("contact.law = \"{}\" has no rolling and torsion as \"{}\" (there is {})", law, turning, there));
+}
+
+ContactTraits contact_traits(std::string_view law) {
+  for (const NamedRow& row : contact_law_rows)
+    if (row.law == law) return row.traits;
+  throw Error(fmt::format("there is no contact.law = \"{}\"", law));
 }
 
 }  // namespace clogflow

@@ -38,4 +38,7 @@ using ContactKinds =
 ContactLaw make_contact_law(std::string_view law, std::string_view turning, const ContactMaterials& materials,
                             const FrictionLaw& friction);
 
+/// What a law says of itself. \throws Error if there is no such law
+ContactTraits contact_traits(std::string_view law);
+
 }  // namespace clogflow

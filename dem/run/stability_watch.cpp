@@ -6,6 +6,7 @@
 
 #include "coupling/base/quantile.hpp"
 #include "coupling/base/require.hpp"
+#include "dem/physics/contact_laws.hpp"
 #include "dem/run/blow_up.hpp"
 #include "dem/run/present_network.hpp"
 #include "dem/run/whole_step.hpp"
@@ -118,8 +119,8 @@ void StabilityWatch::check_overlap(RunState& state) const {
   if (state.step_watch.deep || overlap <= deep_overlap * diameter) return;
   state.step_watch.deep = true;
   const Scene::Contact& contact = state.model.scene.contact;
-  const char* wrong =
-      contact.law == "hooke" ? "spheres no longer touch in points" : "Hertz's law is off by 10 % and more";
+  const char* wrong = contact_traits(contact.law).knows_modulus ? "Hertz's law is off by 10 % and more"
+                                                                : "spheres no longer touch in points";
   say(fmt::format("t = {:.6g} s, {}: beyond {} of a diameter {}; {}", state.time(),
                   contact_words(state, deepest_contact(state)), deep_overlap, wrong, overlap_remedy(contact)));
 }

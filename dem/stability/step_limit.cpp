@@ -9,6 +9,7 @@
 #include "coupling/base/require.hpp"
 #include "coupling/geometry/channel_shape.hpp"
 #include "dem/fluid/fluid.hpp"
+#include "dem/physics/contact_laws.hpp"
 #include "dem/physics/dimensionless.hpp"
 #include "dem/physics/lubrication.hpp"
 #include "dem/physics/time_step.hpp"
@@ -98,7 +99,7 @@ StepLimits expected_limits(const StepScene& asked, const std::vector<Particle>& 
   const double shear = s.contact.youngs_modulus / (2 * (1 + s.contact.poisson_ratio));
   StepLimits limits;
   limits.contact_time = asked.contact_time;
-  limits.linear = s.contact.law == "hooke";
+  limits.linear = !contact_traits(s.contact.law).knows_modulus;
   if (!limits.linear)
     limits.rayleigh_time =
         rayleigh_time(sphere.radius, s.particles.density * s.time.mass_scale, shear, s.contact.poisson_ratio);

@@ -16,7 +16,7 @@ namespace clogflow {
 struct StepLimits {
   double contact_time = 0;   ///< tau_Hertz; 0: nothing moves
   double rayleigh_time = 0;  ///< 0: the law knows no modulus
-  bool linear = false;       ///< springs of law hooke: the contact time is theirs, not that of Hertz
+  bool linear = false;       ///< springs that know no modulus: the contact time is theirs, not that of Hertz
   double drag = 0;           ///< 2 m / c at the pack's porosity; infinite when implicit
   double lubrication = 0;    ///< 2 m* / c of two particles 2 xi apart
   double contacts = 0;       ///< of a sphere in a pack at the expected load, all springs and dashpots

@@ -1,9 +1,15 @@
-// What a scene gives to a contact law: the two materials and what is common to them.
+// What a scene gives to a contact law, the two materials and what is common to them; and what a law says of itself.
 #pragma once
 
 #include "dem/physics/material_pair.hpp"
 
 namespace clogflow {
+
+/// What messages and plans ask of a law.
+struct ContactTraits {
+  bool knows_modulus = true;  ///< its stiffness is that of contact.youngs_modulus, not of contact.stiffness
+  bool sticks = false;        ///< by contact.surface_energy
+};
 
 struct ContactMaterials {
   Material own, other;

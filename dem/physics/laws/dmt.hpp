@@ -16,6 +16,7 @@ namespace clogflow {
 ///         J. Colloid Interface Sci. 58 (1977) 2
 struct Dmt : Hertz {
   static constexpr std::string_view word = "dmt";
+  static constexpr ContactTraits traits{.sticks = true};
 
   double surface_energy = 0;  ///< w [J/m2]
 

@@ -17,6 +17,7 @@ namespace clogflow {
 /// \source paper Eq. (1); Di Renzo & Di Maio, Chem. Eng. Sci. 60 (2005) 1303; dashpot_coefficient()
 struct Hertz {
   static constexpr std::string_view word = "hertz";
+  static constexpr ContactTraits traits{};
   static constexpr bool adheres = false;
 
   double modulus = 0;             ///< E* [Pa]

@@ -19,6 +19,7 @@ namespace clogflow {
 ///         (1996) 5
 struct Hooke {
   static constexpr std::string_view word = "hooke";
+  static constexpr ContactTraits traits{.knows_modulus = false};
   static constexpr bool adheres = false;
 
   double stiffness = 0;           ///< k [N/m]

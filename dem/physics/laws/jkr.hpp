@@ -23,6 +23,7 @@ namespace clogflow {
 ///         Powder Technol. 65 (1991) 153
 struct Jkr {
   static constexpr std::string_view word = "jkr";
+  static constexpr ContactTraits traits{.sticks = true};
   static constexpr bool adheres = true;
 
   double modulus = 0;             ///< E* [Pa]
