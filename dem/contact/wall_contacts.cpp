@@ -167,14 +167,14 @@ ContactTally WallContacts::collide_corners(Particles& p, const WallLaws& laws) {
     points_near(corner, p, laws.lubrication.farthest, found);
     for (const WallPoint& wall : found) {
       const double overlap = p[i].radius - wall.distance;
-      const Vector<double> velocity{p[i].vx, p[i].vy, p[i].vz};
+      const Vector<double> velocity = p[i].velocity();
       Vector<double> force{0, 0, 0}, torque{0, 0, 0};
       Touch touch{i, wall.point, wall.normal, overlap, {}, wall.share};
       // A contact that sticks lasts beyond touch, once it has begun.
       const bool known = overlap > -laws.contact.reach(p[i].radius) &&
                          recall(corner_touches_, i, wall.point, p[i].radius, touch.springs);
       if (overlap > 0 || known) {
-        const ContactMotion<double> motion{velocity, {p[i].wx, p[i].wy, p[i].wz}, {0, 0, 0}};
+        const ContactMotion<double> motion{velocity, p[i].spin(), {0, 0, 0}};
         const auto loads = laws.contact.loads(geometry(p, i, wall.normal, overlap), motion, laws.dt, touch.springs);
         force = wall.share * loads.force;
         torque = wall.share * loads.torque_i;

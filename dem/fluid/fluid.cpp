@@ -74,7 +74,7 @@ void Fluid::add_slip(const Particles& p) {
   const StripPlace strip = strips_.place();
   for (std::size_t i = 0; i < p.size(); ++i) {
     const double porosity = strips_.empty() ? 1 : strips_.porosity()[strip.strip_at(p[i].x)];
-    const Vector<double> slip = Vector<double>{ux_[i], uy_[i], uz_[i]} - Vector<double>{p[i].vx, p[i].vy, p[i].vz};
+    const Vector<double> slip = Vector<double>{ux_[i], uy_[i], uz_[i]} - p[i].velocity();
     const double reynolds =
         reynolds_number(density_, porosity * std::sqrt(dot(slip, slip)), 2 * p[i].radius, viscosity_);
     coefficient_[i] *= law_.factor({porosity, reynolds}) / law_.slow_factor(porosity);
@@ -84,7 +84,7 @@ void Fluid::add_slip(const Particles& p) {
 void Fluid::add_fluctuation(const Particles& p) {
   for (std::size_t i = 0; i < p.size(); ++i) {
     const Vector<double> u{ux_[i], uy_[i], uz_[i]};
-    const Vector<double> slip = u - Vector<double>{p[i].vx, p[i].vy, p[i].vz};
+    const Vector<double> slip = u - p[i].velocity();
     const double scale = std::sqrt(std::min(dot(slip, slip), dot(u, u)));
     const auto factor = noise_.fluctuation(i);
     ux_[i] += scale * factor[0], uy_[i] += scale * factor[1], uz_[i] += scale * factor[2];

@@ -18,6 +18,10 @@ struct alignas(32) ParticleState {
   double wx = 0, wy = 0, wz = 0, inertia = 0;    ///< half a step before [rad/s], with all scales [kg m2]
   double fx = 0, fy = 0, fz = 0, no_force = 0;   ///< sum of the forces but drag and body force [N]
   double tx = 0, ty = 0, tz = 0, no_torque = 0;  ///< sum of the torques [N m]
+
+  Vector<double> position() const { return {x, y, z}; }
+  Vector<double> velocity() const { return {vx, vy, vz}; }
+  Vector<double> spin() const { return {wx, wy, wz}; }
 };
 
 /// Doubles from one particle to the next, and to the loads of the same.

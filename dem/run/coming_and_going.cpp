@@ -7,7 +7,7 @@ namespace clogflow {
 
 namespace {
 
-double energy_of(const ParticleState& p) { return kinetic_energy(p, {p.vx, p.vy, p.vz}, {p.wx, p.wy, p.wz}); }
+double energy_of(const ParticleState& p) { return kinetic_energy(p, p.velocity(), p.spin()); }
 
 void check_inside(const RunState& state, std::size_t i) {
   const ParticleState& p = state.particles[i];

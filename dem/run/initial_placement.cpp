@@ -14,20 +14,18 @@ namespace clogflow {
 
 namespace {
 
-Vec3 place_of(const Particle& p) { return {p.x, p.y, p.z}; }
-
 std::string text_of(const Vec3& v) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x(), v.y(), v.z()); }
 
 /// "pack.csv:7: the particle at (0, 0, 0) m"
 std::string name_of(const InitialParticles& initial, std::size_t k, const Model& model) {
   return fmt::format("{}:{}: the particle at {} m", model.scene.particles.initial, initial.lines[k],
-                     text_of(place_of(initial.particles[k])));
+                     text_of(initial.particles[k].position()));
 }
 
 void check_extent(const InitialParticles& initial, const Model& model) {
   const Domain& d = model.domain;
   for (std::size_t k = 0; k < initial.particles.size(); ++k) {
-    const Vec3 place = place_of(initial.particles[k]);
+    const Vec3 place = initial.particles[k].position();
     require(place.x() <= d.outlet, "{} lies beyond the outlet at x = {:.4g} m: leave it out",
             name_of(initial, k, model), d.outlet);
     require((place.array() >= d.low.array()).all() && (place.array() <= d.high.array()).all(),
@@ -93,7 +91,7 @@ void check_walls(const InitialParticles& initial, const Model& model) {
   const NearestWall walls(model.walls, largest);
   for (std::size_t k = 0; k < initial.particles.size(); ++k) {
     const Particle& p = initial.particles[k];
-    const auto wall = walls.find(place_of(p));
+    const auto wall = walls.find(p.position());
     require(!sided || wall.height >= 0, "{} lies in the solid, {:.3g} m behind a wall: move it into the channel",
             name_of(initial, k, model), wall.distance);
     const double overlap = p.radius - wall.distance, share = overlap / (2 * p.radius);
@@ -121,7 +119,7 @@ void check_pairs(const InitialParticles& initial, const Model& model) {
       if (near == cells.end()) continue;
       for (const std::size_t other : near->second) {
         const Particle& q = particles[other];
-        const double overlap = p.radius + q.radius - (place_of(p) - place_of(q)).norm();
+        const double overlap = p.radius + q.radius - (p.position() - q.position()).norm();
         const double share = overlap / (2 * std::min(p.radius, q.radius));
         require(share <= deepest_start,
                 "{} overlaps that of line {} by {:.3g} m, {:.2g} of the smaller diameter (no more "

@@ -26,7 +26,7 @@ constexpr double skin_share = 0.1;
 double collision_speed(const Scene& scene, const std::vector<Particle>& initial) {
   if (scene.flow_speed() > 0) return collision_speed_share * scene.flow_speed();
   double fastest = 0;
-  for (const Particle& p : initial) fastest = std::max(fastest, Vec3(p.vx, p.vy, p.vz).norm());
+  for (const Particle& p : initial) fastest = std::max(fastest, p.velocity().norm());
   return fastest;
 }
 

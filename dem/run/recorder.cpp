@@ -102,7 +102,7 @@ void Recorder::snapshot(const RunState& state) {
   for (int i : order) {
     snapshot.id.push_back(p.id[i]);
     snapshot.radius.push_back(p[i].radius);
-    put(snapshot.position, {p[i].x, p[i].y, p[i].z});
+    put(snapshot.position, p[i].position());
     put(snapshot.velocity, velocity_now(state, i));
     put(snapshot.spin, spin_now(state, i));
     put(snapshot.force, total_force(state, i));

@@ -29,7 +29,7 @@ Speeds speeds_near_neck(const RunState& state) {
   };
   Speeds speeds;
   for (const int i : near_neck(p, state.model.scene)) {
-    speeds.between.push_back(speed({p[i].vx, p[i].vy, p[i].vz}, {p[i].wx, p[i].wy, p[i].wz}, p[i].radius));
+    speeds.between.push_back(speed(p[i].velocity(), p[i].spin(), p[i].radius));
     speeds.at.push_back(speed(velocity_now(state, i), spin_now(state, i), p[i].radius));
   }
   return speeds;

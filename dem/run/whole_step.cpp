@@ -7,7 +7,7 @@ Vector<double> total_force(const RunState& state, int i) {
   const auto& scene = state.model.scene;
   const auto& body = scene.body_force;
   const Vector<double> other{p[i].fx + body[0], p[i].fy + body[1], p[i].fz + body[2]};
-  const Vector<double> velocity{p[i].vx, p[i].vy, p[i].vz};
+  const Vector<double> velocity = p[i].velocity();
   return other + (scene.time.integrator == Integrator::verlet
                       ? state.fluid.drag_force(i, velocity)
                       : state.fluid.implicit_drag_force(i, velocity, other, state.clock.kick() / p[i].mass));
@@ -15,13 +15,13 @@ Vector<double> total_force(const RunState& state, int i) {
 
 Vector<double> velocity_now(const RunState& state, int i) {
   const auto& p = state.particles;
-  const Vector<double> velocity{p[i].vx, p[i].vy, p[i].vz};
+  const Vector<double> velocity = p[i].velocity();
   return velocity + state.clock.lag() / p[i].mass * total_force(state, i);
 }
 
 Vector<double> spin_now(const RunState& state, int i) {
   const auto& p = state.particles;
-  const Vector<double> spin{p[i].wx, p[i].wy, p[i].wz};
+  const Vector<double> spin = p[i].spin();
   return spin + state.clock.lag() / p[i].inertia * Vector<double>{p[i].tx, p[i].ty, p[i].tz};
 }
 

@@ -35,7 +35,7 @@ double expected_overlap(const StepScene& asked, const Particle& sphere, const st
   const Scene& s = asked.scene;
   const double d = 2 * sphere.radius, v = s.flow_speed();
   double impact = v > 0 ? collision_speed_share * v : 0;
-  for (const Particle& p : initial) impact = std::max(impact, Vec3(p.vx, p.vy, p.vz).norm());
+  for (const Particle& p : initial) impact = std::max(impact, p.velocity().norm());
   const auto& f = s.body_force;
   double load = arch_load * Vec3(f.data()).norm();
   if (s.drag.enabled)
@@ -63,7 +63,7 @@ double impact_limit(const Laws& laws, const Particle& sphere, double overlap) {
 /// The fastest that the flow or the start makes of any particle [m/s].
 double fastest_way(const Scene& s, const std::vector<Particle>& initial) {
   double speed = 0;
-  for (const Particle& p : initial) speed = std::max(speed, Vec3(p.vx, p.vy, p.vz).norm());
+  for (const Particle& p : initial) speed = std::max(speed, p.velocity().norm());
   if (!s.drag.enabled) return speed;
   const double f = s.porosity.strips > 0 ? 1 / pack_porosity : 1;
   const bool channel = s.geometry.present && s.flow.mean_velocity > 0;

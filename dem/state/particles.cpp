@@ -52,7 +52,7 @@ void Particles::reorder(const std::vector<int>& order) {
 
 double half_step_energy(const Particles& p) {
   double energy = 0;
-  for (const ParticleState& s : p.states) energy += kinetic_energy(s, {s.vx, s.vy, s.vz}, {s.wx, s.wy, s.wz});
+  for (const ParticleState& s : p.states) energy += kinetic_energy(s, s.velocity(), s.spin());
   return energy;
 }
 

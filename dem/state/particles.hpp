@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "coupling/base/vec3.hpp"
 #include "dem/kernels/kernels.hpp"
 
 namespace clogflow {
@@ -17,6 +18,9 @@ struct Particle {
   double x = 0, y = 0, z = 0;     ///< [m]
   double vx = 0, vy = 0, vz = 0;  ///< [m/s]
   double wx = 0, wy = 0, wz = 0;  ///< [rad/s]
+
+  Vec3 position() const { return {x, y, z}; }
+  Vec3 velocity() const { return {vx, vy, vz}; }
 };
 
 /// Of a particle that moves with v and turns with w: m v^2 / 2 + I w^2 / 2 [J]

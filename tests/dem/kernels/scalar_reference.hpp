@@ -48,9 +48,9 @@ private:
     return found == springs_.end() ? Springs<double>{} : found->second;
   }
 
-  static Vector<double> place(const Particles& p, int i) { return {p[i].x, p[i].y, p[i].z}; }
-  static Vector<double> velocity(const Particles& p, int i) { return {p[i].vx, p[i].vy, p[i].vz}; }
-  static Vector<double> spin(const Particles& p, int i) { return {p[i].wx, p[i].wy, p[i].wz}; }
+  static Vector<double> place(const Particles& p, int i) { return p[i].position(); }
+  static Vector<double> velocity(const Particles& p, int i) { return p[i].velocity(); }
+  static Vector<double> spin(const Particles& p, int i) { return p[i].spin(); }
 
   void pair(const Model& model, const Particles& p, const std::pair<int, int>& id, const std::pair<int, int>& at,
             double dt, Touching& touching, Loads& sum) {
