@@ -2,7 +2,9 @@
 set(habits ${CMAKE_CURRENT_SOURCE_DIR}/habits)
 add_test(NAME Format COMMAND ${habits}/format)
 add_test(NAME EveryUnitHasItsTest COMMAND ${habits}/units)
+add_test(NAME ArrowsOfTheArchitecture COMMAND ${habits}/arrows)
 add_test(NAME ChangedSourcesUnderClang COMMAND ${habits}/clang_sources syntax changed ${CMAKE_BINARY_DIR}/clang)
 add_test(NAME InstalledProgram COMMAND ${habits}/installed_program ${CMAKE_BINARY_DIR} $<TARGET_FILE:clog>)
-set_tests_properties(Format EveryUnitHasItsTest ChangedSourcesUnderClang InstalledProgram PROPERTIES
+set_tests_properties(Format EveryUnitHasItsTest ArrowsOfTheArchitecture ChangedSourcesUnderClang InstalledProgram
+  PROPERTIES
   LABELS habits SKIP_RETURN_CODE 77 TIMEOUT ${test_time_limit})
