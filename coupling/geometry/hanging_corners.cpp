@@ -29,7 +29,7 @@ std::vector<LooseEdge> find_loose(const WeldedCorners& welded) {
 class EndGrid {
 public:
   EndGrid(const std::vector<LooseEdge>& loose, const std::vector<Vec3>& place, double tolerance)
-      : place_(place), tolerance_(tolerance) {
+      : tolerance_(tolerance) {
     std::vector<int> ends;
     for (const LooseEdge& edge : loose) ends.insert(ends.end(), {edge.low, edge.high});
     std::sort(ends.begin(), ends.end());
@@ -82,7 +82,6 @@ private:
       }
   }
 
-  const std::vector<Vec3>& place_;
   double tolerance_, width_;
   Vec3 low_;
   std::vector<std::pair<Cell, int>> cells_;

@@ -75,7 +75,7 @@ Group oblique_constant_speed() {
   };
   for (const auto& [name, key, substance] : {Material{"aluminium oxide", "al_oxide", aluminium_oxide},
                                              Material{"aluminium alloy", "al_alloy", small_alloy}}) {
-    const auto impact = [&](double degrees) {
+    const auto impact = [&, substance = substance](double degrees) {
       const double angle = degrees * M_PI / 180;
       return Impact{substance, 0.092, 0.98, 3.9 * std::cos(angle), 3.9 * std::sin(angle), 0};
     };
@@ -143,7 +143,9 @@ Group oblique_constant_normal() {
   for (const auto& [name, key, substance, lever] :
        {Material{"steel", "steel", {208e9, 0.3, 7850, 2e-5}, 0.02},
         Material{"polyethylene", "polyethylene", {1e9, 0.4, 1400, 2e-5}, 0.1}}) {
-    const auto rebound = [&](double incident) { return on_wall({substance, mu, 1, v, incident * mu * v, 0}); };
+    const auto rebound = [&, substance = substance](double incident) {
+      return on_wall({substance, mu, 1, v, incident * mu * v, 0});
+    };
     for (const Point& p : reference_curve("chung_ooi_test5_rebound_angle.csv", key))
       if (p.x > 5.9)
         group.checks.push_back({at("rebound at incidence", name, p.x), p.y, rebound(p.x).patch / (mu * v), 0.1, false});
@@ -185,7 +187,7 @@ Group spinning_on_wall() {
   };
   for (const auto& [name, key, substance] : {Material{"aluminium alloy", "al_alloy", {70e9, 0.33, 2700, 0.2}},
                                              Material{"nylon", "nylon", {2.5e9, 0.4, 1000, 0.2}}}) {
-    const auto beta = [&](double x) {
+    const auto beta = [&, substance = substance](double x) {
       const double patch = patch_speed_of(x);
       return -on_wall({substance, spin_mu, spin_e, spin_v, 0, -patch / spin_radius}).patch / patch;
     };

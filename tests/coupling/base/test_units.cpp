@@ -159,7 +159,7 @@ TEST(Units, RefusalsSayWhy) {
       {"1e99999999999 m", "beyond the range"},
   };
   for (const auto& [text, reason] : refused)
-    EXPECT_THAT(refusal([&] { parse_quantity(text); }), HasSubstr(reason)) << text;
+    EXPECT_THAT(refusal([&, text = text] { parse_quantity(text); }), HasSubstr(reason)) << text;
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ using testing::HasSubstr;
 TEST(Model, RefusesAFidelityThatIsNotResolved) {
   for (const auto& [overrides, key] : std::vector<std::pair<Overrides, std::string>>{
            {{"fidelity.preset=fast"}, "fidelity.preset"}, {{"fidelity.tolerance=0.05"}, "fidelity.tolerance"}}) {
-    EXPECT_THAT(refusal([&] { make_model(short_channel_scene(overrides), nullptr, {}); }),
+    EXPECT_THAT(refusal([&, overrides = overrides] { make_model(short_channel_scene(overrides), nullptr, {}); }),
                 HasSubstr(key + " has not been turned into keys"));
   }
 }
