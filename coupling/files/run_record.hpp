@@ -38,6 +38,11 @@ struct RunRecord {
   std::optional<double> shaking_speed;             ///< largest of a pack that rests at whole steps only [m/s]
   std::optional<double> fill_time;                 ///< simulated before the gate opened; 0: no gate [s]
   std::optional<bool> fill_at_rest;                ///< whether the pack rested when the gate opened
+  std::optional<bool> start_flowed;                ///< whether a flowing start passed its strain; it jammed if not
+  std::optional<double> clogged_at;                ///< when the clog that ended the run was known to be one [s]
+  std::optional<bool> clog_proved;                 ///< it is at rest for good; if not, it was waited for
+  std::optional<double> clog_position;             ///< x of its most downstream particle [m]
+  std::optional<std::int64_t> poked;               ///< particles that were taken out of arches [-]
   std::optional<std::int64_t> inserted;            ///< particles by the inlet [-]
   std::optional<std::int64_t> insertions_refused;  ///< attempts that found no room [-]
   std::map<std::string, std::string> others;       ///< entries of another program: their JSON text, carried along
@@ -62,6 +67,11 @@ struct RunRecord {
                       RecordEntry{"shaking_speed_m_s", "m/s", &R::shaking_speed},
                       RecordEntry{"fill_time_s", "s", &R::fill_time},
                       RecordEntry{"fill_at_rest", "", &R::fill_at_rest},
+                      RecordEntry{"start_flowed", "", &R::start_flowed},
+                      RecordEntry{"clogged_at_s", "s", &R::clogged_at},
+                      RecordEntry{"clog_proved", "", &R::clog_proved},
+                      RecordEntry{"clog_position_m", "m", &R::clog_position},
+                      RecordEntry{"poked", "1", &R::poked},
                       RecordEntry{"inserted", "1", &R::inserted},
                       RecordEntry{"insertions_refused", "1", &R::insertions_refused}};
   }

@@ -15,9 +15,10 @@ enum class FlowSource { openfoam, uniform, none };
 enum class Lookup { nearest, trilinear };
 enum class TorsionUpdate { objective, doubling };
 enum class BelowRoughness { off, clamp };
-enum class DragVelocity { interstitial, superficial };
-enum class InletStart { filled, empty };
-enum class UnclogProtocol { none, release };
+enum class DragVelocity { interstitial, superficial, mixture };
+enum class PorosityMethod { strips, local };
+enum class InletStart { filled, empty, flowing };
+enum class UnclogProtocol { none, release, stop, restart, poke };
 enum class Integrator { verlet, implicit_drag, implicit_fluid };
 
 struct Friction {
@@ -100,7 +101,10 @@ struct Scene {
   } drag;
 
   struct Porosity {
+    PorosityMethod method = PorosityMethod::strips;
     int strips = 0;              ///< 0: porosity 1 everywhere
+    bool neck = false;           ///< the neck is a strip of its own
+    double width = 0;            ///< of the kernel of a local porosity [m]; default 1.5 diameters
     double update_interval = 0;  ///< [s]; default tau / 1000
   } porosity;
 
@@ -109,14 +113,20 @@ struct Scene {
     InletStart start = InletStart::filled;
     double rate = 0;  ///< largest number of insertions per second [1/s]; 0: as many as fit
     int taps = 2;     ///< moments without friction that consolidate a filled start [-]
+    /// Solids that pass the neck without friction before a flowing start counts, in neck widths times its
+    /// cross-section [-]
+    double strain = 0;
   } inlet;
 
   std::array<double, 3> body_force{};  ///< on every particle [N]
 
   struct Unclog {
     UnclogProtocol protocol = UnclogProtocol::none;
-    double after = 0;     ///< nothing passed for this time [s]; default 5 tau
-    double duration = 0;  ///< friction is off for this time [s]; default 1.5 ms
+    double after = 0;      ///< nothing passed for this time [s]; default 5 tau
+    double duration = 0;   ///< of a release: friction is off for this time [s]; default 0.23 tau
+    double region = 0;     ///< friction is off from this many neck widths upstream of the neck on [-]; 0: everywhere
+    double strain = 0;     ///< of a restart: as inlet.strain [-]
+    bool shortcut = true;  ///< a clog that is proved to be at rest is not waited for
   } unclog;
 
   struct Time {

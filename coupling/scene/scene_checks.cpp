@@ -131,6 +131,28 @@ void check_terms(const SceneDraft& draft) {
           "{} (needs a flow, which tells when a clog is at rest)", draft.says("unclog.protocol"));
   require(!scene.inlet.enabled || scene.inlet.start == InletStart::empty || scene.flow_speed() > 0,
           "{} (a flow must fill the channel: set flow.source, or inlet.start = \"empty\")", draft.says("inlet.start"));
+  require(scene.porosity.method == PorosityMethod::strips || shape, "{} (needs a [geometry] with neck_width)",
+          draft.says("porosity.method"));
+}
+
+/// A key that only one word of another gives a meaning.
+void check_goes_with(const SceneDraft& draft, const char* key, bool chosen, std::string_view other) {
+  require(chosen || !draft.has(key), "{} (is only for {})", draft.says(key), other);
+}
+
+void check_starts_and_clogs(const SceneDraft& draft) {
+  const Scene& s = draft.scene;
+  const auto protocol = s.unclog.protocol;
+  const bool releases = protocol == UnclogProtocol::release, restarts = protocol == UnclogProtocol::restart;
+  check_goes_with(draft, "inlet.strain", s.inlet.start == InletStart::flowing, "inlet.start = \"flowing\"");
+  check_goes_with(draft, "unclog.strain", restarts, "unclog.protocol = \"restart\"");
+  check_goes_with(draft, "unclog.region", releases || restarts || s.unclog.region == 0,
+                  "unclog.protocol = \"release\" or \"restart\"");
+  check_goes_with(draft, "porosity.width", s.porosity.method == PorosityMethod::local, "porosity.method = \"local\"");
+  const bool moved = s.drag.fluctuation.strength > 0 || s.flow.pulsation.strength > 0;
+  require(protocol != UnclogProtocol::stop || !moved,
+          "{} (no clog is permanent under drag.fluctuation or flow.pulsation: choose \"none\")",
+          draft.says("unclog.protocol"));
 }
 
 /// Nothing is ever counted at a plane that no particle reaches, or before which none begins.
@@ -166,6 +188,7 @@ void check_scene(const SceneDraft& draft) {
   check_flow(draft);
   check_contact(draft);
   check_terms(draft);
+  check_starts_and_clogs(draft);
   check_plane(draft);
   check_times(draft);
 }

@@ -115,10 +115,18 @@ void fill_terms(SceneDraft& draft) {
   if (!draft.has("lubrication.cutoff")) scene.lubrication.cutoff = scene.particles.diameter / 2;
   if (!draft.has("drag.enabled")) scene.drag.enabled = draft.has_section("drag");
   if (!draft.has("inlet.enabled")) scene.inlet.enabled = draft.has_section("inlet");
+  if (!draft.has("porosity.width") && scene.porosity.method == PorosityMethod::local)
+    scene.porosity.width = 1.5 * scene.particles.diameter;
   if (!draft.has("porosity.strips")) scene.porosity.strips = draft.has_section("porosity") ? 3 : 0;
   if (scene.lubrication.enabled) need(draft, "fluid.viscosity", "lubrication is on");
   if (scene.drag.enabled) need(draft, "fluid.viscosity", "drag is on");
 }
+
+/// 1.5 ms in the paper's scene.
+constexpr double release_share = 0.23;
+
+/// Of solids that pass the neck before what is near it has forgotten how it stood.
+constexpr double usual_strain = 10;
 
 // Exactly one of step and step_fraction is in force, the other 0. An override beats the file.
 void choose_step(SceneDraft& draft) {
@@ -150,7 +158,11 @@ void fill_times(SceneDraft& draft) {
             "{}: unclog.after is missing (a time, e.g. \"10 ms\"; there is no flow to take it from)", draft.name);
     scene.unclog.after = 5 * tau;
   }
-  if (!draft.has("unclog.duration")) scene.unclog.duration = 1.5e-3;
+  if (!draft.has("unclog.duration")) scene.unclog.duration = tau > 0 ? release_share * tau : 1.5e-3;
+  if (!draft.has("inlet.strain") && scene.inlet.enabled && scene.inlet.start == InletStart::flowing)
+    scene.inlet.strain = usual_strain;
+  if (!draft.has("unclog.strain") && scene.unclog.protocol == UnclogProtocol::restart)
+    scene.unclog.strain = usual_strain;
   if (!draft.has("passages.plane")) scene.passages.plane = scene.geometry.neck_length / 2;
 }
 

@@ -23,9 +23,9 @@ constexpr std::pair<std::string_view, KeyRole> harmless[] = {
 };
 
 constexpr std::pair<std::string_view, std::string_view> later[] = {
-    {"contact.law", "\"hertz\""},
-    {"contact.turning", "\"luding\""},
-    {"drag.law", "\"hoef\""},
+    {"contact.law", "\"hertz\""},      {"contact.turning", "\"luding\""}, {"drag.law", "\"hoef\""},
+    {"porosity.method", "\"strips\""}, {"porosity.neck", "false"},        {"unclog.region", "0"},
+    {"unclog.shortcut", "false"},
 };
 
 bool is_as_before(const std::string& key, const std::string& value) {

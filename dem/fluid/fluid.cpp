@@ -17,20 +17,32 @@ Fluid::Fluid(const Scene& scene, FlowField field, PorosityStrips strips)
       viscosity_(scene.fluid.viscosity),
       density_(scene.fluid.density),
       kernels_(select_kernels()),
+      reading_(scene.drag.velocity),
       drag_(scene.drag.enabled),
-      superficial_(scene.drag.velocity == DragVelocity::superficial),
       viscous_torque_(scene.drag.viscous_torque) {}
+
+double Fluid::weight(double porosity) const {
+  switch (reading_) {
+    case DragVelocity::superficial:
+      return porosity;
+    case DragVelocity::mixture:
+      return 1 / porosity;
+    case DragVelocity::interstitial:
+      break;
+  }
+  return 1;
+}
 
 void Fluid::evaluate(Particles& p) {
   if (!drag_) return;
   const double pulse = noise_.pulsation();
-  // Per strip: 1 / eps, pulsating, and f(eps) with the factor eps of the superficial velocity.
+  // Per strip: the velocity over V0, pulsating, and the coefficient.
   const std::size_t strips = strips_.empty() ? 1 : strips_.porosity().size();
   std::vector<double> speed_up(strips, pulse), factor(strips, 1.0);
   for (std::size_t k = 0; k < strips_.porosity().size(); ++k) {
     const double porosity = strips_.porosity()[k];
-    speed_up[k] = pulse / porosity;
-    factor[k] = law_.slow_factor(porosity) * (superficial_ ? porosity : 1.0);
+    speed_up[k] = reading_ == DragVelocity::mixture ? pulse : pulse / porosity;
+    factor[k] = law_.slow_factor(porosity) * weight(porosity);
   }
   for (double& share : factor) share *= stokes_coefficient(viscosity_, 2);  // per radius
   for (auto* values : {&ux_, &uy_, &uz_, &coefficient_}) values->resize(p.size());
@@ -75,8 +87,9 @@ void Fluid::add_slip(const Particles& p) {
   for (std::size_t i = 0; i < p.size(); ++i) {
     const double porosity = strips_.empty() ? 1 : strips_.porosity()[strip.strip_at(p[i].x)];
     const Vector<double> slip = Vector<double>{ux_[i], uy_[i], uz_[i]} - p[i].velocity();
-    const double reynolds =
-        reynolds_number(density_, porosity * std::sqrt(dot(slip, slip)), 2 * p[i].radius, viscosity_);
+    // V0 - v is the superficial slip of a mixture already.
+    const double share = reading_ == DragVelocity::mixture ? 1 : porosity;
+    const double reynolds = reynolds_number(density_, share * std::sqrt(dot(slip, slip)), 2 * p[i].radius, viscosity_);
     coefficient_[i] *= law_.factor({porosity, reynolds}) / law_.slow_factor(porosity);
   }
 }

@@ -18,8 +18,13 @@ const DragLaw& drag_law(const Scene& scene);
 
 /// Drag in the flow corrected for porosity, paper Eq. (4):
 ///   F_i = c_i (u - v_i),  c_i = f 3 pi eta d_i,  u = V0(x_i) / eps,  f of the scene's drag law.
-/// With the superficial velocity the drag is f(eps) 3 pi eta d (V0 - eps v_i), that is c eps in the
-/// place of c. Published as the total fluid force: no separate pressure gradient force.
+/// Three readings of V0, for as much as the neck passes liquid or mixture:
+///   interstitial  the liquid keeps its rate, u = V0 / eps: the paper's
+///   superficial   c eps in the place of c: only the share that the flow between the particles drags, without that
+///                 of the mean pressure gradient (1 - eps of the force on a bed at rest)
+///   mixture       liquid and particles together keep it, V0 = eps u + (1 - eps) v_i: F_i = (c_i / eps) (V0 - v_i);
+///                 at rest the paper's force
+/// Published as the total fluid force: no separate pressure gradient force.
 class Fluid {
 public:
   Fluid(const Scene& scene, FlowField field, PorosityStrips strips);
@@ -69,7 +74,11 @@ private:
   const DragLaw& law_;
   double viscosity_, density_;
   const Kernels& kernels_;
-  bool drag_, superficial_, viscous_torque_;
+  /// Factor on the drag coefficient at a porosity.
+  double weight(double porosity) const;
+
+  DragVelocity reading_;
+  bool drag_, viscous_torque_;
   std::vector<double> ux_, uy_, uz_, coefficient_;
   std::vector<double> turn_, sx_, sy_, sz_;
 };

@@ -22,6 +22,13 @@ Lanes least_overlap(const Law& law, const Lanes& radius) {
   }
 }
 
+/// 1 where contacts have friction, 0 where it has ended. \param x  gives the places of the contacts
+template <class Place>
+Lanes rough_share(const FrictionLaw& friction, const Place& x) {
+  if (!friction.ends_somewhere()) return Lanes(1.0);
+  return select(x() > Lanes(friction.ends), Lanes(0.0), Lanes(1.0));
+}
+
 /// Appends a row of one list to another; the last row takes its place.
 void move_row(const RowPointers& from, std::size_t at, const RowPointers& to) {
   const std::size_t last = --(*from.count), end = (*to.count)++;

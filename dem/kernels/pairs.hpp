@@ -65,8 +65,10 @@ Contacts collide(const PairTask& task, const typename Kind::Normal& law, std::si
   const ContactGeometry<Lanes> contact = place.contact(distance, max(overlap, least), moves.mass);
   const ContactMotion<Lanes> motion{moves.velocity, load_spin(p, i), load_spin(p, j)};
   Springs<Lanes> springs = load_springs<terms>(task.contacts, from);
+  const Lanes rough = rough_share(
+      task.law.friction, [&] { return Lanes(0.5) * (load_place(p, i).position.x + load_place(p, j).position.x); });
   const ContactLoads<Lanes> loads =
-      contact_loads<typename Kind::Turning, terms>(law, task.law.friction, contact, motion, task.dt, springs);
+      contact_loads<typename Kind::Turning, terms>(law, task.law.friction, contact, motion, task.dt, springs, rough);
   store_springs<terms>(task.contacts, from, springs);
   add_force(p, i, j, loads.force, used);
   if constexpr (terms.sliding || terms.rolling || terms.torsion) {

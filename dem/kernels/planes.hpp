@@ -10,12 +10,14 @@ namespace {
 struct OverPlane {
   Lanes radius;
   Vector<Lanes> normal;
+  Lanes x;        ///< of the centre [m]
   Lanes overlap;  ///< above zero where the sphere touches [m]
 
   OverPlane(const PlaneTask& task, Index i, Index slot)
       : normal{load(task.nx, slot), load(task.ny, slot), load(task.nz, slot)} {
     const Placed particle = load_place(task.particles, i);
     radius = particle.radius;
+    x = particle.position.x;
     overlap = radius - (dot(normal, particle.position) - load(task.offset, slot));
   }
 };
@@ -33,7 +35,8 @@ Contacts collide_plane(const PlaneTask& task, const typename Kind::Normal& law, 
   const ContactMotion<Lanes> motion{m.velocity, load_spin(p, i), still};
   Springs<Lanes> springs = load_springs<terms>(task.contacts, from);
   const ContactLoads<Lanes> loads =
-      contact_loads<typename Kind::Turning, terms>(law, task.law.friction, contact, motion, task.dt, springs);
+      contact_loads<typename Kind::Turning, terms>(law, task.law.friction, contact, motion, task.dt, springs,
+                                                   rough_share(task.law.friction, [&] { return over.x; }));
   store_springs<terms>(task.contacts, from, springs);
   add_force(p, i, loads.force, used);
   if constexpr (terms.sliding || terms.rolling || terms.torsion) add_torque(p, i, loads.torque_i, used);

@@ -56,6 +56,13 @@ struct ContactLaw {
   LawConstants constants;
   FrictionLaw friction;
 
+  /// The law at a place, which tells whether there is friction.
+  ContactLaw at(double x) const {
+    ContactLaw there = *this;
+    if (x > friction.ends) there.friction = {};
+    return there;
+  }
+
   /// Forces and torques of one contact, all springs on, and the springs one step on.
   ContactLoads<double> loads(const ContactGeometry<double>& g, const ContactMotion<double>& m, double dt,
                              Springs<double>& springs) const {

@@ -2,6 +2,7 @@
 // the normal law gives.
 #pragma once
 
+#include <limits>
 #include <string_view>
 
 #include "dem/physics/contact_geometry.hpp"
@@ -22,6 +23,10 @@ struct FrictionLaw {
   double sliding = 0;  ///< mu [-]
   double rolling = 0;  ///< [-]
   double torsion = 0;  ///< [-]
+  /// Contacts farther downstream have none: where a release ends [m]
+  double ends = std::numeric_limits<double>::infinity();
+
+  bool ends_somewhere() const { return ends < std::numeric_limits<double>::infinity(); }
 };
 
 /// What a normal law tells at one overlap; all that friction needs to know of it.
@@ -74,17 +79,20 @@ struct DoublingTurning {
 /// of the centres, so linear and angular momentum are conserved exactly.
 /// \param law       a normal law, e.g. Hertz
 /// \param springs   of the last step; zero for a new contact; updated
+/// \param rough     share of the friction that acts here: 1, or 0 where it has ended
 template <class Turning, ContactTerms terms, class NormalLaw, class Real>
 ContactLoads<Real> contact_loads(const NormalLaw& law, const FrictionLaw& friction, const ContactGeometry<Real>& g,
-                                 const ContactMotion<Real>& m, double dt, Springs<Real>& springs) {
+                                 const ContactMotion<Real>& m, double dt, Springs<Real>& springs,
+                                 const Real& rough = Real(1.0)) {
   const Real approach = dot(m.velocity, g.normal);
   const NormalResponse<Real> normal = law.respond(g, approach);
   ContactLoads<Real> loads{normal.force * g.normal, {}, {}};
   loads.torque_i = loads.torque_j = Vector<Real>{Real(0.0), Real(0.0), Real(0.0)};
   if constexpr (!terms.sliding && !terms.rolling && !terms.torsion) return loads;
 
+  const Real grip = rough * normal.grip;
   const auto slider = [&](double coefficient, double stiffer) {
-    return SliderParameters<Real>{stiffer * normal.stiffness, normal.dashpot, coefficient * normal.grip, dt};
+    return SliderParameters<Real>{stiffer * normal.stiffness, normal.dashpot, coefficient * grip, dt};
   };
   const double turning = Turning::full_stiffness ? 1 / law.tangential_factor : 1;
   const Vector<Real> spin = m.spin_i - m.spin_j;

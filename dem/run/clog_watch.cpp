@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "coupling/base/quantile.hpp"
+#include "dem/run/frictionless_flow.hpp"
 
 namespace clogflow {
 
@@ -14,6 +15,12 @@ constexpr double clog_reach = 3;
 
 /// Share of tau between two looks at the speeds.
 constexpr double look_share = 0.1;
+
+/// tau without a passage before a clog is looked for at all.
+constexpr double least_wait = 0.5;
+
+/// What ends a run without a proof is waited for so many times as long.
+constexpr double unproved_wait = 4;
 
 /// A creeping pack moves by a thousandth of a diameter while the flow moves by a diameter.
 constexpr double rest_share = 1e-3;
@@ -46,10 +53,45 @@ ClogState clog_state(const Particles& p, const Scene& scene) {
 }
 
 ClogWatch::ClogWatch(const Scene& scene)
-    : enabled_(scene.unclog.protocol == UnclogProtocol::release),
+    : protocol_(scene.unclog.protocol),
+      shortcut_(scene.unclog.shortcut),
       after_(scene.unclog.after),
       duration_(scene.unclog.duration),
       look_interval_(look_share * scene.stokes_time()),
-      rest_speed_(clogflow::rest_speed(scene)) {}
+      rest_speed_(clogflow::rest_speed(scene)),
+      least_wait_(least_wait * scene.stokes_time()) {
+  if (protocol_ != UnclogProtocol::restart) return;
+  enough_ = particles_of_strain(scene, scene.unclog.strain);
+  duration_ = longest_flow(scene, scene.unclog.strain);
+}
+
+bool ClogWatch::flows_enough(double time, std::int64_t gone) const {
+  if (time >= off_since_ + duration_) return true;
+  return protocol_ == UnclogProtocol::restart && gone - gone_when_off_ >= enough_;
+}
+
+ClogWatch::Action ClogWatch::end_flow(double time) {
+  friction_off_ = false;
+  last_event_ = time;
+  return Action::friction_on;
+}
+
+ClogWatch::Action ClogWatch::begin(double time, std::int64_t gone) {
+  last_event_ = time;
+  if (protocol_ == UnclogProtocol::stop) {
+    stopped_ = true;
+    return Action::stop;
+  }
+  if (protocol_ == UnclogProtocol::poke) {
+    pokes_ = true;
+    return Action::poke;
+  }
+  friction_off_ = true;
+  off_since_ = time;
+  gone_when_off_ = gone;
+  return Action::friction_off;
+}
+
+double ClogWatch::longest_wait() const { return protocol_ == UnclogProtocol::stop ? unproved_wait * after_ : after_; }
 
 }  // namespace clogflow

@@ -1,5 +1,7 @@
-// When is the neck clogged, and what the release protocol then does.
+// When is the neck clogged, and what the scene's protocol then does.
 #pragma once
+
+#include <cstdint>
 
 #include "coupling/scene/scene.hpp"
 #include "dem/state/particles.hpp"
@@ -24,10 +26,14 @@ inline constexpr double slow_share = 0.9;
 /// Of the particles near the neck, at the velocities half a step before their places.
 ClogState clog_state(const Particles& particles, const Scene& scene);
 
-/// The release protocol of silo experiments: when nothing has passed for `unclog.after` and the clog
-/// is at rest, friction is switched off for `unclog.duration`. A single rattler does not count as
-/// motion, which is why a quantile decides. A clog that never comes to rest is never released: it is
-/// left to the statistics as a censored arrest.
+/// A clog is known in one of two ways: it is proved to be at rest for good (dem/run/rest_proof.hpp), or nothing has
+/// passed for `unclog.after` and the slow majority near the neck is at rest. Then, by unclog.protocol,
+///   none     nothing
+///   stop     the run ends; a clog that was not proved must have been at rest for four times as long
+///   release  friction is off for `unclog.duration`: the protocol of silo experiments
+///   restart  friction is off until `unclog.strain` has passed, as before a flowing start
+///   poke     the arch is taken out
+/// A clog that never comes to rest is left to the statistics as a censored arrest.
 class ClogWatch {
 public:
   explicit ClogWatch(const Scene& scene);
@@ -35,41 +41,51 @@ public:
   /// A particle crossed the passage plane at time t.
   void passed(double time) { last_event_ = time; }
 
-  enum class Action { none, friction_off, friction_on };
+  enum class Action { none, friction_off, friction_on, poke, stop };
 
-  /// What to do at time t; `state` is called only when the answer depends on it.
-  template <class State>
-  Action act(double time, State&& state) {
-    if (!enabled_) return Action::none;
-    if (friction_off_) {
-      if (time < off_since_ + duration_) return Action::none;
-      friction_off_ = false;
-      last_event_ = time;
-      return Action::friction_on;
-    }
-    if (time < last_event_ + after_ || time < next_look_) return Action::none;
+  /// What to do at time t. \param gone  particles that ever left the channel
+  /// \param state, proved  what clog_state() and rests_for_good() say; called only when the answer depends on it
+  template <class State, class Proved>
+  Action act(double time, std::int64_t gone, State&& state, Proved&& proved) {
+    if (protocol_ == UnclogProtocol::none || stopped_) return Action::none;
+    if (friction_off_) return flows_enough(time, gone) ? end_flow(time) : Action::none;
+    if (time < last_event_ + least_wait_ || time < next_look_) return Action::none;
     next_look_ = time + look_interval_;
-    if (state().quantile_speed > rest_speed_) return Action::none;
-    friction_off_ = true;
-    off_since_ = time;
-    return Action::friction_off;
+    proved_ = shortcut_ && proved();
+    if (!proved_ && (time < last_event_ + longest_wait() || state().quantile_speed > rest_speed_)) return Action::none;
+    return begin(time, gone);
   }
 
   bool friction_off() const { return friction_off_; }
+  bool stopped() const { return stopped_; }  ///< the run ends here
+  bool proved() const { return proved_; }    ///< the last clog was at rest for good
+
+  /// Whether an arch is to be taken out before the next forces.
+  bool pokes() const { return pokes_; }
+  void poked(std::int64_t particles) { pokes_ = false, taken_out_ += particles; }
+  std::int64_t taken_out() const { return taken_out_; }  ///< particles, of all arches
 
   /// Below this speed a particle counts as at rest [m/s]
   double rest_speed() const { return rest_speed_; }
 
   template <class Archive>
   void exchange(Archive& archive) {
-    archive(last_event_, next_look_, off_since_, friction_off_);
+    archive(last_event_, next_look_, off_since_, gone_when_off_, friction_off_, stopped_, proved_, pokes_, taken_out_);
   }
 
 private:
-  bool enabled_;
-  double after_, duration_, look_interval_, rest_speed_;
+  bool flows_enough(double time, std::int64_t gone) const;
+  Action end_flow(double time);
+  Action begin(double time, std::int64_t gone);
+  double longest_wait() const;
+
+  UnclogProtocol protocol_;
+  bool shortcut_;
+  double after_, duration_, look_interval_, rest_speed_, least_wait_;
+  std::int64_t enough_ = 0;  // particles of a restart
   double last_event_ = 0, next_look_ = 0, off_since_ = 0;
-  bool friction_off_ = false;
+  std::int64_t gone_when_off_ = 0, taken_out_ = 0;
+  bool friction_off_ = false, stopped_ = false, proved_ = false, pokes_ = false;
 };
 
 /// Speed below which a particle counts as at rest: a thousandth of the mean flow velocity [m/s].

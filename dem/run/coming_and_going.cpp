@@ -1,6 +1,7 @@
 #include "dem/run/coming_and_going.hpp"
 
 #include "coupling/base/require.hpp"
+#include "dem/run/arch.hpp"
 #include "dem/run/blow_up.hpp"
 
 namespace clogflow {
@@ -21,6 +22,12 @@ void check_inside(const RunState& state, std::size_t i) {
           state.time(), note.empty() ? remedy(state, p) : "through an opening? " + note);
 }
 
+void take_out_arch(RunState& state, std::vector<std::uint8_t>& leaving) {
+  const std::vector<int> arch = arch_of(state);
+  for (const int i : arch) leaving[i] = 1;
+  state.clog_watch.poked(static_cast<std::int64_t>(arch.size()));
+}
+
 }  // namespace
 
 void feed_inlet(RunState& state) {
@@ -34,13 +41,14 @@ void feed_inlet(RunState& state) {
 
 std::vector<std::uint8_t> leaving_particles(RunState& state) {
   std::vector<std::uint8_t> leaving(state.count(), 0);
+  if (state.clog_watch.pokes()) take_out_arch(state, leaving);
   for (std::size_t i = 0; i < state.count(); ++i) {
     if (state.particles[i].x > state.model.domain.outlet) {
       leaving[i] = 1;
-      state.energy.brought -= energy_of(state.particles[i]);
     } else {
       check_inside(state, i);
     }
+    if (leaving[i]) state.energy.brought -= energy_of(state.particles[i]);
   }
   return leaving;
 }

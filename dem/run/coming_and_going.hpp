@@ -11,7 +11,8 @@ namespace clogflow {
 /// Lets the inlet try, if it is due.
 void feed_inlet(RunState& state);
 
-/// Marks the particles beyond the outlet. \throws Error if one left the walls elsewhere
+/// Marks the particles beyond the outlet, and those of an arch that is to be taken out. \throws Error if one left the
+/// walls elsewhere
 std::vector<std::uint8_t> leaving_particles(RunState& state);
 
 }  // namespace clogflow

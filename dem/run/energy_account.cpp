@@ -126,7 +126,9 @@ void EnergyAccount::add_contact(const RunState& state, const Contact& c) {
 
   // The step of the hot loop once more, with and without Coulomb's limit, from the springs of the last step.
   const ContactMotion<double> moved = motion(state, c.i, c.j, velocity_before, spin_before);
-  const ContactLaw law = state.present(c.law), never_slips = sticking(c.law);
+  const auto& p = state.particles;
+  const double x = c.j < 0 ? p[c.i].x : (p[c.i].x + p[c.j].x) / 2;
+  const ContactLaw law = state.present(c.law).at(x), never_slips = sticking(c.law);
   const double dt = state.clock.stretch_time();
   Springs<double> uncut = springs, held = c.springs;
   const ContactLoads<double> loads = law.loads(g, moved, dt, springs);

@@ -68,6 +68,7 @@ int Inlet::insert(Particles& p, const Fluid& fluid, Random& random, double time)
     p.add(particle);
     ++inserted;
     ++fed_;
+    last_fed_ = time;
   }
   return inserted;
 }

@@ -7,6 +7,7 @@
 #include "dem/run/model.hpp"
 #include "dem/state/particles.hpp"
 #include "dem/state/random.hpp"
+#include "dem/state/valid.hpp"
 
 namespace clogflow {
 
@@ -22,7 +23,7 @@ public:
   double interval() const { return interval_; }
 
   /// The time that inlet.rate counts from begins again at 0.
-  void restart_clock() { fed_ = 0; }
+  void restart_clock() { fed_ = 0, last_fed_ = 0; }
 
   /// Numbers before this one are taken, by particles that are there from the start.
   void number_from(std::int64_t first) { first_id_ = first; }
@@ -36,6 +37,8 @@ public:
   std::int64_t inserted() const { return next_id_; }
   /// Particles that there ever were, those from the start too.
   std::int64_t numbered() const { return first_id_ + next_id_; }
+  /// When a particle came in last, by the clock of insert(); 0: none since it began [s]
+  double last_fed() const { return last_fed_; }
   std::int64_t refused() const { return refused_; }  ///< attempts that found no room
 
   /// Whether it tried and nothing came in since its clock began.
@@ -44,18 +47,20 @@ public:
   /// Whether counts read from a file are counts.
   bool valid() const {
     constexpr std::int64_t most = std::int64_t{1} << 60;
-    return next_id_ >= 0 && next_id_ < most && refused_ >= 0 && refused_ < most && fed_ >= 0 && fed_ < most;
+    return next_id_ >= 0 && next_id_ < most && refused_ >= 0 && refused_ < most && fed_ >= 0 && fed_ < most &&
+           finite_from_zero(last_fed_);
   }
 
   template <class Archive>
   void exchange(Archive& archive) {
-    archive(next_id_, refused_, fed_);
+    archive(next_id_, refused_, fed_, last_fed_);
   }
 
 private:
   const Model* model_;
   bool enabled_;
   double interval_ = 0, rate_;
+  double last_fed_ = 0;
   Vec3 low_, high_;  // corners of the slab for the whole sphere [m]
   std::int64_t first_id_ = 0, next_id_ = 0, refused_ = 0, fed_ = 0;
 };

@@ -123,6 +123,14 @@ void Recorder::find_passages(RunState& state) {
   }
 }
 
+void Recorder::pass_over(RunState& state) const { new_crossings(state); }
+
+void Recorder::stop(const RunState& state) {
+  data.record.clogged_at = state.time();
+  data.record.clog_proved = state.clog_watch.proved();
+  data.record.clog_position = clog_state(state.particles, state.model.scene).position;
+}
+
 void Recorder::begin_release(const RunState& state) {
   const ClogState clog = clog_state(state.particles, state.model.scene);
   data.releases.off.push_back(state.time());

@@ -24,6 +24,12 @@ public:
   /// Those who passed in the step that was done last; the clog watch hears of it.
   void find_passages(RunState& state);
 
+  /// Those who are beyond the plane already count no more.
+  void pass_over(RunState& state) const;
+
+  /// The clog that ends the run.
+  void stop(const RunState& state);
+
   void begin_release(const RunState& state);
   void end_release(const RunState& state);
 

@@ -55,12 +55,20 @@ struct RunState {
     return std::max(pair_tally.largest_overlap, wall_tally.largest_overlap);
   }
 
-  /// Friction is off in a tap of the filling and in a release.
-  bool has_friction() const { return !filling.is_tapping() && !clog_watch.friction_off(); }
+  /// Friction is off in parts of the filling, in a release and in a restart.
+  bool has_friction() const { return filling.has_friction() && !clog_watch.friction_off(); }
+
+  /// Particles that ever left the channel.
+  std::int64_t gone() const { return inlet.numbered() - static_cast<std::int64_t>(count()); }
 
   /// A contact law as it is now.
   ContactLaw present(ContactLaw law) const {
-    if (!has_friction()) law.friction = {};
+    if (has_friction()) return law;
+    const double region = model.scene.unclog.region;
+    if (region > 0 && clog_watch.friction_off())
+      law.friction.ends = -region * model.scene.geometry.neck_width;
+    else
+      law.friction = {};
     return law;
   }
 

@@ -6,6 +6,7 @@
 #include "dem/run/forces.hpp"
 #include "dem/run/initial_placement.hpp"
 #include "dem/run/present_network.hpp"
+#include "dem/run/rest_proof.hpp"
 #include "dem/run/saved_state.hpp"
 #include "dem/run/whole_step.hpp"
 
@@ -36,10 +37,11 @@ RunData Simulation::run(const Watcher& watcher) {
   state_.computing_time.start();
   recorder_.data.record.step_limits = stability_.announce(model_);
   fill(watcher);
-  while (state_.clock.step() < model_.steps) {
+  while (state_.clock.step() < model_.steps && !state_.clog_watch.stopped()) {
     tell(watcher);
     compute_forces();
     record();
+    if (state_.clog_watch.stopped()) break;
     stability_.look(state_);
     advance();
   }
@@ -62,7 +64,7 @@ void Simulation::fill(const Watcher& watcher) {
     advance();
     if (state_.inlet.inserted() != before) filling.fed(time());
     const auto slow_speed = [&] { return clog_state(particles(), model_.scene).quantile_speed; };
-    if (filling.look(time(), slow_speed) == Filling::Gate::opens) open_gate();
+    if (filling.ends(time(), state_.gone(), slow_speed)) begin_run();
   }
 }
 
@@ -73,7 +75,8 @@ void Simulation::begin_filling() {
   state_.place_walls();
 }
 
-void Simulation::open_gate() {
+void Simulation::begin_run() {
+  stability_.say(state_.filling.note());
   state_.place_walls();
   state_.clock.restart();
   state_.next_insertion = state_.next_porosity = 0;
@@ -81,11 +84,14 @@ void Simulation::open_gate() {
   state_.energy.restart();
   state_.clog_watch = ClogWatch(model_.scene);
   state_.step_watch = {};
+  // Those between the plane and the outlet passed before time 0.
+  recorder_.pass_over(state_);
 }
 
 void Simulation::compute_forces() {
   feed_inlet(state_);
-  if (!state_.lists.hold()) state_.lists.rebuild(state_.particles, leaving_particles(state_));
+  if (state_.clog_watch.pokes() || !state_.lists.hold())
+    state_.lists.rebuild(state_.particles, leaving_particles(state_));
   state_.lists.sort_if_due(state_.particles);
   if (time() >= state_.next_porosity) {
     state_.fluid.update_porosity(state_.particles);
@@ -98,9 +104,12 @@ void Simulation::compute_forces() {
 
 void Simulation::record() {
   const auto clog = [&] { return clog_state(particles(), model_.scene); };
-  const ClogWatch::Action action = state_.clog_watch.act(time(), clog);
-  if (action == ClogWatch::Action::friction_off) recorder_.begin_release(state_);
-  if (action == ClogWatch::Action::friction_on) recorder_.end_release(state_);
+  const auto proved = [&] { return rests_for_good(state_); };
+  using Action = ClogWatch::Action;
+  const Action action = state_.clog_watch.act(time(), state_.gone(), clog, proved);
+  if (action == Action::friction_off || action == Action::poke) recorder_.begin_release(state_);
+  if (action == Action::friction_on || action == Action::poke) recorder_.end_release(state_);
+  if (action == Action::stop) recorder_.stop(state_);
   recorder_.look(state_);
 }
 

@@ -77,7 +77,7 @@ public:
 
 private:
   void begin_filling();
-  void open_gate();
+  void begin_run();
   void tell(const Watcher& watcher) const;
   void finish();
 

@@ -35,6 +35,9 @@ void Simulation::finish() {
   r.shaking_speed = watch.shaking;
   r.fill_time = state_.filling.duration();
   r.fill_at_rest = state_.filling.ended_at_rest();
+  if (model_.scene.inlet.enabled && model_.scene.inlet.start == InletStart::flowing)
+    r.start_flowed = state_.filling.flowed();
+  if (model_.scene.unclog.protocol == UnclogProtocol::poke) r.poked = state_.clog_watch.taken_out();
   r.inserted = inlet.inserted();
   r.insertions_refused = inlet.refused();
   if (inlet.shut())

@@ -1,0 +1,35 @@
+#include "dem/run/arch.hpp"
+
+#include <algorithm>
+
+namespace clogflow {
+
+namespace {
+
+/// Contacts that press on each particle.
+std::vector<int> contacts_of(const RunState& state) {
+  std::vector<int> contacts(state.count(), 0);
+  const ContactSet& pairs = state.lists.pairs.contacts;
+  for (std::size_t k = 0; k < pairs.size(); ++k) ++contacts[pairs.first(k)], ++contacts[pairs.second(k)];
+  if (state.lists.walls.empty()) return contacts;
+  for (const auto& touch : state.lists.walls.touches(state.particles)) ++contacts[touch.particle];
+  return contacts;
+}
+
+}  // namespace
+
+std::vector<int> arch_of(const RunState& state) {
+  const Particles& p = state.particles;
+  const std::vector<int> contacts = contacts_of(state);
+  std::vector<int> bearing;
+  double front = -1e300;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (contacts[i] < 2 || p[i].x >= state.model.domain.passage) continue;
+    bearing.push_back(static_cast<int>(i));
+    front = std::max(front, p[i].x);
+  }
+  std::erase_if(bearing, [&](int i) { return p[i].x < front - 2 * p[i].radius; });
+  return bearing;
+}
+
+}  // namespace clogflow

@@ -1,0 +1,30 @@
+#include "dem/run/frictionless_flow.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dem/physics/porosity.hpp"
+
+namespace clogflow {
+
+namespace {
+
+/// Of the strain in the mean flow; and tau that it always has.
+constexpr double patience = 10, least_patience = 20;
+
+double solids(const Scene& s, double strain) {
+  return strain * s.geometry.neck_width * s.geometry.neck_width * s.geometry.neck_height;
+}
+
+}  // namespace
+
+std::int64_t particles_of_strain(const Scene& s, double strain) {
+  return std::max<std::int64_t>(1, std::llround(solids(s, strain) / sphere_volume(s.particles.diameter / 2)));
+}
+
+double longest_flow(const Scene& s, double strain) {
+  const double rate = s.flow_speed() * s.geometry.channel_width * s.geometry.neck_height;
+  return patience * solids(s, strain) / rate + least_patience * s.stokes_time();
+}
+
+}  // namespace clogflow

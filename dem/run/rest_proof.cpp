@@ -1,0 +1,45 @@
+#include "dem/run/rest_proof.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "coupling/base/quantile.hpp"
+#include "dem/physics/drag.hpp"
+#include "dem/run/whole_step.hpp"
+
+namespace clogflow {
+
+namespace {
+
+constexpr double slow_majority = 0.99;
+
+double size_of(const Vector<double>& v) { return std::sqrt(dot(v, v)); }
+
+}  // namespace
+
+bool rests_for_good(const RunState& state) {
+  const Scene& s = state.model.scene;
+  if (!state.has_friction() || state.fluid.noise().on()) return false;
+  if (state.inlet.enabled() && state.time() < state.inlet.last_fed() + s.stokes_time()) return false;
+  const Particles& p = state.particles;
+  std::vector<double> speeds;
+  std::vector<int> upstream;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (p[i].x >= state.model.domain.passage) continue;
+    speeds.push_back(size_of(p[i].velocity()));
+    upstream.push_back(static_cast<int>(i));
+  }
+  if (speeds.empty()) return false;
+  const double flow = s.flow_speed();
+  if (*std::max_element(speeds.begin(), speeds.end()) > rattler_share * flow) return false;
+  if (quantile(speeds, slow_majority) > rest_speed_share * flow) return false;
+  const double body = size_of({s.body_force[0], s.body_force[1], s.body_force[2]});
+  std::vector<double> forces;
+  for (const int i : upstream) {
+    const double drive = stokes_coefficient(s.fluid.viscosity, 2 * p[i].radius) * flow + body;
+    forces.push_back(size_of(total_force(state, i)) / drive);
+  }
+  return quantile(forces, slow_majority) <= rest_force_share;
+}
+
+}  // namespace clogflow
