@@ -49,7 +49,7 @@ public:
   Action act(double time, std::int64_t gone, State&& state, Proved&& proved) {
     if (protocol_ == UnclogProtocol::none || stopped_) return Action::none;
     if (friction_off_) return flows_enough(time, gone) ? end_flow(time) : Action::none;
-    if (time < last_event_ + least_wait_ || time < next_look_) return Action::none;
+    if (time < last_event_ + (shortcut_ ? least_wait_ : longest_wait()) || time < next_look_) return Action::none;
     next_look_ = time + look_interval_;
     proved_ = shortcut_ && proved();
     if (!proved_ && (time < last_event_ + longest_wait() || state().quantile_speed > rest_speed_)) return Action::none;

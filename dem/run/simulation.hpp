@@ -68,6 +68,7 @@ public:
   void advance();                     ///< kick, drift, passages, time
 
   const Model& model() const { return model_; }
+  const RunState& state() const { return state_; }
   const Particles& particles() const { return state_.particles; }
   Particles& particles() { return state_.particles; }
   const RunData& data() const { return recorder_.data; }

@@ -80,6 +80,11 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"NoFriction",
                          {"contact.friction.sliding=0", "contact.friction.rolling=0", "contact.friction.torsion=0",
                           "unclog.protocol=none"}},
+                    Case{"StartFlowing", {"inlet.start=flowing", "inlet.strain=1"}},
+                    Case{"Stop", {"unclog.protocol=stop", "inlet.start=flowing", "inlet.strain=0.5", "time.end=60 ms"}},
+                    Case{"Restart", {"unclog.protocol=restart", "unclog.strain=0.5", "time.end=40 ms"}},
+                    Case{"Poke", {"unclog.protocol=poke"}}, Case{"ReleaseNearTheNeck", {"unclog.region=1"}},
+                    Case{"Mixture", {"drag.velocity=mixture"}},
                     Case{"RarePorosity", {"porosity.update_interval=1 ms", "porosity.strips=5"}}),
     [](const auto& info) { return info.param.name; });
 

@@ -58,7 +58,7 @@ TEST(SceneRefusals, OfSingleValues) {
       {"geometry.half_angle=60", "(an angle needs a unit, e.g. \"60 deg\")"},
       {"geometry.half_angle=60 um", "(a length, but an angle is needed, e.g. \"60 deg\")"},
       {"geometry.half_angle=91 deg", "(must be in (0 deg, 90 deg])"},
-      {"inlet.start=ful", "inlet.start = \"ful\" (must be \"filled\" or \"empty\")"},
+      {"inlet.start=ful", "inlet.start = \"ful\" (must be \"filled\", \"empty\" or \"flowing\")"},
       {"flow.source=foam", "(must be \"openfoam\", \"uniform\" or \"none\")"},
       {"drag.enabled=1", "(must be true or false)"},
       {"porosity.strips=3.5", "(must be a whole number, e.g. 3)"},
@@ -121,6 +121,18 @@ TEST(SceneRefusals, OfShapesThatAreImpossible) {
       {{"geometry.expansion_width=90 um"}, "must exceed neck_width"},
       {{"geometry.expansion_length=90 um"}, "(needs geometry.expansion_width too)"},
       {{"geometry.expansion_angle=90 deg"}, "(needs geometry.expansion_width too)"},
+  };
+  for (const auto& [overrides, reason] : cases) EXPECT_THAT(refused(channel, overrides), HasSubstr(reason));
+}
+
+TEST(SceneRefusals, OfKeysWithoutTheirProtocol) {
+  const std::pair<Overrides, std::string> cases[] = {
+      {{"inlet.start=filled", "inlet.strain=3"}, "inlet.strain = 3 (is only for inlet.start = \"flowing\")"},
+      {{"unclog.protocol=release", "unclog.strain=3"}, "unclog.strain = 3 (is only for unclog.protocol = \"restart\")"},
+      {{"unclog.protocol=stop", "unclog.region=1"},
+       "unclog.region = 1 (is only for unclog.protocol = \"release\" or \"restart\")"},
+      {{"unclog.protocol=stop", "flow.pulsation.strength=0.1", "flow.pulsation.time=1 ms"},
+       "unclog.protocol = \"stop\" (no clog is permanent under drag.fluctuation or flow.pulsation"},
   };
   for (const auto& [overrides, reason] : cases) EXPECT_THAT(refused(channel, overrides), HasSubstr(reason));
 }

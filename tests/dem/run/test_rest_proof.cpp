@@ -1,0 +1,48 @@
+// A clog that is proved to be at rest stays: what a run that ends there says, one that goes on finds too.
+#include <gtest/gtest.h>
+
+#include "dem/run/rest_proof.hpp"
+#include "tests/dem/channel_scene.hpp"
+
+namespace clogflow::test {
+namespace {
+
+Scene stopping_scene(Overrides more = {}) {
+  more.insert(more.begin(), {"particles.diameter=47 um", "geometry.channel_length=300 um", "inlet.start=flowing",
+                             "inlet.strain=2", "time.end=400 ms", "output.snapshot_interval=0 s"});
+  return cheap_paper_scene(more);
+}
+
+RunData run(const Scene& scene, std::uint64_t seed) {
+  const FlowGrid grid = synthetic_flow(scene);
+  return Simulation(scene, &grid, seed).run();
+}
+
+TEST(RestProof, WhatStopsTheRunIsPermanent) {
+  const Scene stops = stopping_scene({"unclog.protocol=stop"}), goes_on = stopping_scene({"unclog.protocol=none"});
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    const RunData stopped = run(stops, seed);
+    ASSERT_TRUE(stopped.record.clogged_at && stopped.record.clog_proved.value_or(false)) << "seed " << seed;
+    EXPECT_LT(stopped.end_time, 0.3);
+    EXPECT_EQ(stopped.end_time, *stopped.record.clogged_at);
+    // 100 ms later, 10 tau, nothing else has passed.
+    EXPECT_EQ(run(goes_on, seed).passages.time, stopped.passages.time) << "seed " << seed;
+  }
+}
+
+TEST(RestProof, AFlowIsNotAtRestAndNoiseAllowsNone) {
+  for (const char* noise : {"drag.fluctuation.strength=0", "drag.fluctuation.strength=1e-9"}) {
+    const Scene scene =
+        stopping_scene({"unclog.protocol=none", noise, "drag.fluctuation.time=5 ms", "time.end=250 ms"});
+    const FlowGrid grid = synthetic_flow(scene);
+    Simulation simulation(scene, &grid, 1);
+    simulation.fill({});
+    EXPECT_FALSE(rests_for_good(simulation.state())) << "flowing";
+    while (simulation.time() < 0.25) simulation.compute_forces(), simulation.record(), simulation.advance();
+    simulation.compute_forces();
+    EXPECT_EQ(rests_for_good(simulation.state()), std::string(noise).ends_with("=0")) << noise;
+  }
+}
+
+}  // namespace
+}  // namespace clogflow::test
