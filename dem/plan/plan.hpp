@@ -32,6 +32,7 @@ struct Plan {
   double grid_reach = 0;     ///< how far the neck is felt upstream of the narrowing [m]
   Scene::Contact contact;    ///< what the warnings advise on
   std::string law_note;      ///< on a law of adhesion that another would replace, or empty
+  std::string layers_note;   ///< on layers of spheres that just fit, or empty
   std::string walls_note;    ///< on walls from a file, or empty
   double scaling_error = 0;  ///< of a creeping flow scaled to this rate, over the neck's mean velocity [-]
 

@@ -29,6 +29,23 @@ const PlannedTerm& term_named(const Plan& plan, const std::string& name) {
   return *std::ranges::find(plan.terms, name, &PlannedTerm::term);
 }
 
+TEST(Plan, WarnsOfWholeLayersAndKnowsWhatDecides) {
+  const std::string layers = "holds 2 whole layers with room for 0 more";
+  EXPECT_THAT(warnings(make_plan(cheap_paper_scene({"particles.diameter=50 um"}))), Contains(HasSubstr(layers)));
+  EXPECT_THAT(warnings(make_plan(cheap_paper_scene({"particles.diameter=47 um"}))), IsEmpty());
+  // 10 D^3 of solids through 4 D x D at 0.33 / 0.67 of 5 mm/s: 0.1015 s. Runs take 0.102 to 0.104 s.
+  const Scene scene = cheap_paper_scene({"inlet.start=flowing"});
+  const Plan plan = make_plan(scene);
+  EXPECT_NEAR(plan.filling_steps * plan.dt, 0.1015, 1e-4);
+  const Plan smooth = make_plan(cheap_paper_scene({"contact.friction.rolling=0", "contact.friction.torsion=0"}));
+  for (const char* name : {"rolling friction", "torsion friction"}) {
+    const auto term = std::ranges::find(smooth.terms, name, &PlannedTerm::term);
+    ASSERT_NE(term, smooth.terms.end());
+    EXPECT_TRUE(term->needed && !term->modelled);
+  }
+  EXPECT_THAT(warnings(smooth), IsEmpty());
+}
+
 TEST(Dimensionless, ReynoldsOfThePaper) {
   // 1062 x 5e-3 x 1e-4 / 1.8e-3
   EXPECT_NEAR(reynolds_number(1062, 5e-3, 1e-4, 1.8e-3), 0.295, 1e-12);
