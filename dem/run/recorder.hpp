@@ -30,6 +30,9 @@ public:
   /// The clog that ends the run.
   void stop(const RunState& state);
 
+  /// The neck is no longer supplied, which ends it too.
+  void drained(const RunState& state) { data.record.drained_at = state.time(); }
+
   void begin_release(const RunState& state);
   void end_release(const RunState& state);
 

@@ -20,6 +20,7 @@ RunState::RunState(const Model& constant, Fluid surrounding, std::uint64_t seed_
       inlet(model),
       filling(model.scene),
       clog_watch(model.scene),
+      supply_watch(model.scene),
       lists(model),
       fluid(std::move(surrounding)) {
   std::int64_t id = 0;

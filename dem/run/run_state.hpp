@@ -16,6 +16,7 @@
 #include "dem/run/inlet.hpp"
 #include "dem/run/model.hpp"
 #include "dem/run/step_clock.hpp"
+#include "dem/run/supply_watch.hpp"
 #include "dem/stability/step_watch.hpp"
 #include "dem/state/particles.hpp"
 #include "dem/state/random.hpp"
@@ -36,6 +37,7 @@ struct RunState {
   Inlet inlet;
   Filling filling;
   ClogWatch clog_watch;
+  SupplyWatch supply_watch;
   Particles particles;
   ContactLists lists;
   Fluid fluid;
@@ -57,6 +59,9 @@ struct RunState {
 
   /// Friction is off in parts of the filling, in a release and in a restart.
   bool has_friction() const { return filling.has_friction() && !clog_watch.friction_off(); }
+
+  /// Whether the run is over before time.end.
+  bool ended() const { return clog_watch.stopped() || supply_watch.drained(); }
 
   /// Particles that ever left the channel.
   std::int64_t gone() const { return inlet.numbered() - static_cast<std::int64_t>(count()); }
@@ -83,8 +88,8 @@ struct RunState {
     archive(filling);
     // What was saved of the contacts belongs to these walls.
     if (Archive::loading && filling.gate_is_closed()) place_walls();
-    archive(clock, random, inlet, clog_watch, particles, lists, fluid, next_insertion, next_porosity, particle_steps,
-            energy, step_watch, computing_time);
+    archive(clock, random, inlet, clog_watch, supply_watch, particles, lists, fluid, next_insertion, next_porosity,
+            particle_steps, energy, step_watch, computing_time);
     if (Archive::loading) lists.pairs.measure(particles);
   }
 };

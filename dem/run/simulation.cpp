@@ -37,11 +37,11 @@ RunData Simulation::run(const Watcher& watcher) {
   state_.computing_time.start();
   recorder_.data.record.step_limits = stability_.announce(model_);
   fill(watcher);
-  while (state_.clock.step() < model_.steps && !state_.clog_watch.stopped()) {
+  while (state_.clock.step() < model_.steps && !state_.ended()) {
     tell(watcher);
     compute_forces();
     record();
-    if (state_.clog_watch.stopped()) break;
+    if (state_.ended()) break;
     stability_.look(state_);
     advance();
   }
@@ -83,6 +83,7 @@ void Simulation::begin_run() {
   state_.inlet.restart_clock();
   state_.energy.restart();
   state_.clog_watch = ClogWatch(model_.scene);
+  state_.supply_watch = SupplyWatch(model_.scene);
   state_.step_watch = {};
   // Those between the plane and the outlet passed before time 0.
   recorder_.pass_over(state_);
@@ -110,6 +111,8 @@ void Simulation::record() {
   if (action == Action::friction_off || action == Action::poke) recorder_.begin_release(state_);
   if (action == Action::friction_on || action == Action::poke) recorder_.end_release(state_);
   if (action == Action::stop) recorder_.stop(state_);
+  const auto packing = [&] { return 1 - state_.fluid.strips().porosity().back(); };
+  if (state_.supply_watch.drains(time(), packing)) recorder_.drained(state_);
   recorder_.look(state_);
 }
 

@@ -40,6 +40,11 @@ void Simulation::finish() {
   if (model_.scene.unclog.protocol == UnclogProtocol::poke) r.poked = state_.clog_watch.taken_out();
   r.inserted = inlet.inserted();
   r.insertions_refused = inlet.refused();
+  if (r.drained_at)
+    stability_.say(fmt::format(
+        "warning: the run ended at t = {:.4g} s: the last strip held less than half of its particles for ten Stokes "
+        "times, so that what passes the neck is no dense suspension any more",
+        *r.drained_at));
   if (inlet.shut())
     stability_.say(fmt::format("the inlet found no room for any particle in {} attempts: the channel is full up to it",
                                inlet.refused()));

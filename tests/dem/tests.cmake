@@ -19,7 +19,7 @@ clog_tests(test_dem_parts
 clog_tests(test_channel_parts
   SOURCES dem/run/test_inlet.cpp dem/run/test_refusals.cpp dem/stability/test_shaking.cpp dem/stability/test_step_limit.cpp
           dem/run/test_model_refusals.cpp dem/plan/test_plan.cpp dem/run/test_stl_scene.cpp dem/run/test_flow_fit.cpp
-          dem/run/test_release_region.cpp
+          dem/run/test_release_region.cpp dem/run/test_supply_watch.cpp
   LIBRARIES clog_dem LABELS unit)
 clog_tests(test_channel_runs
   SOURCES dem/run/test_channel_runs.cpp dem/run/test_full_inlet.cpp dem/run/test_rest_proof.cpp
