@@ -36,7 +36,9 @@ TEST(Scene, PaperHasThePapersValues) {
   EXPECT_DOUBLE_EQ(scene.particles.roughness, 0.165e-6);
   EXPECT_EQ(scene.contact.youngs_modulus, 3e6);
   EXPECT_EQ(scene.contact.wall_friction.torsion, 0.6);
-  EXPECT_EQ(scene.unclog.protocol, UnclogProtocol::release);
+  EXPECT_EQ(scene.inlet.start, InletStart::flowing);
+  EXPECT_EQ(scene.unclog.protocol, UnclogProtocol::restart);
+  EXPECT_EQ(scene.inlet.strain, scene.unclog.strain);
   EXPECT_DOUBLE_EQ(scene.unclog.after, 33e-3);
   EXPECT_DOUBLE_EQ(scene.stokes_time(), 6.6e-3);
   EXPECT_EQ(scene.ensemble.seeds.size(), 40u);
@@ -58,6 +60,7 @@ TEST(Scene, DefaultsOfAChannel) {
   EXPECT_EQ(scene.passages.plane, 50e-6);
   EXPECT_DOUBLE_EQ(scene.output.series_interval, 0.66e-3);
   EXPECT_DOUBLE_EQ(scene.unclog.after, 33e-3);
+  EXPECT_NEAR(scene.unclog.duration, 1.5e-3, 0.02e-3) << "a share of tau: as in the paper's scene";
   EXPECT_THAT(scene.ensemble.seeds, ElementsAre(1));
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-/// A channel of some ten particles in a uniform flow, filled behind a gate: a second of computing.
+/// A channel of some ten particles in a uniform flow, filled behind a gate and released: a second of computing.
 class RealRun : public testing::Test {
 protected:
   static void SetUpTestSuite() {
@@ -32,7 +32,7 @@ protected:
     return {"flow.source=uniform",    "flow.velocity=5 mm/s", "particles.diameter=50 um",
             "inlet.taps=1",           "time.end=20 ms",       "geometry.channel_length=200 um",
             "time.mass_scale=10",     "unclog.after=3 ms",    "time.rotational_inertia_scale=5",
-            "time.step_fraction=0.04"};
+            "time.step_fraction=0.04", "inlet.start=filled",   "unclog.protocol=release"};
   }
 
   static void run(std::vector<std::string> words, const std::vector<std::string>& overrides) {
