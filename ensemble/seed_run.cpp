@@ -66,10 +66,17 @@ private:
   Clock::time_point last_ = Clock::now(), asked_ = last_;
 };
 
+/// What ended the run before its time, in words.
+const char* early_end(const RunRecord& record) {
+  if (record.drained_at) return ", then the neck was drained";
+  if (!record.clogged_at) return "";
+  return record.clog_proved.value_or(false) ? ", then a clog at rest for good" : ", then a clog that did not break";
+}
+
 std::string summary(const RunData& run) {
-  return fmt::format("{:.4g} s simulated in {:.1f} s, {:.3g} particle-steps/s, {} passages, {} releases", run.end_time,
-                     *run.record.wall_time, *run.record.particle_steps_per_s, run.passages.time.size(),
-                     run.releases.off.size());
+  return fmt::format("{:.4g} s simulated in {:.1f} s, {:.3g} particle-steps/s, {} passages, {} releases{}",
+                     run.end_time, *run.record.wall_time, *run.record.particle_steps_per_s, run.passages.time.size(),
+                     run.releases.off.size(), early_end(run.record));
 }
 
 /// Where a simulation stands, in words.

@@ -114,6 +114,22 @@ INSTANTIATE_TEST_SUITE_P(
                          {"time.step_fraction=1", "time.contact_limit_share=0.3", "output.snapshot_interval=0 s"}}),
     [](const auto& info) { return info.param.name; });
 
+TEST(LengthenedStop, AClogThatEndedARunEndsTheLongerOneToo) {
+  const auto until = [](const char* end) {
+    return small_channel(
+        {"unclog.protocol=stop", "inlet.start=flowing", "inlet.strain=0.5", std::string("time.end=") + end});
+  };
+  const FlowGrid flow = synthetic_flow(until("200 ms"));
+  const RunData whole = Simulation(until("200 ms"), &flow, 3).run();
+  ASSERT_TRUE(whole.record.clogged_at.has_value());
+  for (const char* end : {"1 ms", "150 ms"}) {
+    const RunData longer = go_on(until("200 ms"), &flow, Simulation(until(end), &flow, 3).run());
+    EXPECT_TRUE(result_bytes(longer) == result_bytes(whole)) << end;
+    EXPECT_EQ(longer.record.clogged_at, whole.record.clogged_at) << end;
+    EXPECT_EQ(longer.record.clog_position, whole.record.clog_position) << end;
+  }
+}
+
 TEST(LengthenedRefusals, AStateBeyondTheEndAndOfAnotherScene) {
   const Scene whole = small_channel({"time.end=12 ms"});
   const FlowGrid flow = synthetic_flow(whole);
