@@ -94,7 +94,7 @@ TEST_P(FullInlet, DoesNotPop) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Inlet, FullInlet,
-                         testing::Combine(testing::Values("33 um", "50 um", "80 um"),
+                         testing::Combine(testing::Values("33 um", "50 um", "60 um"),
                                           testing::Values("filled", "empty")));
 
 }  // namespace
