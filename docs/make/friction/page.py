@@ -96,11 +96,11 @@ def draw(rows, file):
     colours = plt.get_cmap("viridis")
     for row in rows:
         y, flows = len(names) - names.index(row["cell"]), row["clogged"] == 0
-        share = min(1, np.log10(1 + row["mean"]) / 3.5)
+        share = min(1.0, np.log10(1 + row["mean"]) / 3.5)
         marker = "o" if not flows else ">"
         face = colours(share) if row["clogged"] in (0, row["seeds"]) else "white"
         axes.plot(row["D/d"], y, marker, ms=13, mfc=face, mec=colours(share), mew=2)
-        label = f"{row['mean']:.2g}" if not flows else "flows"
+        label = "flows" if flows else f"{row['mean']:.1f}" if row["mean"] < 10 else f"{row['mean']:.0f}"
         axes.annotate(label, (row["D/d"], y), xytext=(0, 9), textcoords="offset points", ha="center", fontsize=7)
     axes.set_yticks([len(names) - k for k in range(len(names))], [words(name) for name in names], fontsize=8)
     axes.set(xlabel="D/d", xlim=(1.1, 4.5), ylim=(0.4, len(names) + 0.8),
