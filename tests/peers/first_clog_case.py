@@ -5,6 +5,7 @@ x = 0 and ends the domain. Each sphere is pushed by c (u - v) with the same u al
 but contacts: Hertz, Mindlin with history, Coulomb, no dashpot along the surface, no torsion.
 """
 
+import functools
 import math
 from typing import NamedTuple
 
@@ -34,10 +35,11 @@ WAIT = 25  # frames without a passage: 5.3 tau
 LAST = 400  # frames, 85 tau, then the run ends
 REST = 0.01  # of SPEED, root mean square of all before the plane
 
-ROWS, SPACING, SWEEPS = 12, 52e-6, 100  # of 10 spheres; packing fraction 0.35
+ROWS, SPACING, SWEEPS = 12, 52e-6, 50  # of 10 spheres; packing fraction 0.35
 PARTICLES = 10 * ROWS
 
 
+@functools.cache
 def pack(number):
     """Places of hard spheres before the neck: a lattice after random moves, the same for a number on every machine."""
     rng = np.random.Generator(np.random.PCG64(number))

@@ -31,13 +31,17 @@ def lammps_restitution():
     return low
 
 
-def loop(speeds):
-    """The end of both peers' inputs: frames until the clog or the end, each a printed line. `run ... pre no` after the first."""
+def loop(again):
+    """The end of both peers' inputs: frames until the clog or the end, each a printed line.
+
+    again: words of `run` for frames after the first.
+    """
     return f"""
 region before block {START - PAD!r} {PLANE!r} {-WIDTH} {WIDTH} {-NECK} {2 * NECK} units box
 variable left equal count(all,before)
 variable passed equal {PARTICLES}-v_left
-{speeds}
+variable v2 atom vx*vx+vy*vy+vz*vz
+compute sum all reduce/region before sum v_v2
 variable speed equal sqrt(c_sum/(v_left+1e-9))
 thermo {FRAME}
 thermo_style custom step v_passed v_speed
@@ -47,7 +51,7 @@ variable since equal 0
 variable k loop {LAST}
 run 0
 label again
-run {FRAME} post no
+run {FRAME} {again} post no
 variable now equal ${{passed}}
 variable rest equal ${{speed}}
 print "FRAME ${{now}} ${{rest}}"
@@ -176,8 +180,6 @@ class Liggghts(Peer):
         planes = [("x", START), ("y", -WIDTH / 2), ("y", WIDTH / 2), ("z", 0.0), ("z", NECK)]
         walls = "\n".join(f"fix plane{k} all wall/gran {law} primitive type 1 {x}plane {at!r} {options}"
                           for k, (x, at) in enumerate(planes))
-        # A release of 2016 knows no v^2 of a region in one word.
-        speeds = ("variable v2 atom vx*vx+vy*vy+vz*vz\ncompute sum all reduce/region before sum v_v2")
         (folder / "in.txt").write_text(f"""
 atom_style granular
 atom_modify map array
@@ -204,7 +206,7 @@ fix drag all viscous {DRAG!r}
 fix push all addforce {DRAG * SPEED!r} 0 0
 fix move all nve/sphere
 timestep {STEP}
-{loop(speeds)}""")
+{loop("")}""")
 
 
 class Lammps(Peer):
@@ -223,6 +225,7 @@ class Lammps(Peer):
         # For walls the release of 2021 takes E / (2 (1 - nu)) for E*: so its coefficients are given outright.
         wall = (f"hertz {4 / 3 * NORMAL!r} {e!r} tangential mindlin {8 * SHEAR!r} 0.0 0.6 "
                 f"{self.rolling(RADIUS, rolling)} {tail}")
+        # At each beginning of a run it also turns the walls' restitution into a dashpot once more, so "pre no".
         lean = (WIDTH - NECK) / 2 / math.tan(math.radians(60)) * (1 + PAD / NECK)
         top, far = WIDTH / 2 + PAD, 3 * NECK
         (folder / "in.txt").write_text(f"""
@@ -248,4 +251,4 @@ fix drag all viscous {DRAG!r}
 fix push all addforce {DRAG * SPEED!r} 0 0
 fix move all nve/sphere
 timestep {STEP}
-{loop("variable v2 atom vx*vx+vy*vy+vz*vz" + chr(10) + "compute sum all reduce/region before sum v_v2")}""")
+{loop("pre no")}""")
