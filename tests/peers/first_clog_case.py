@@ -21,7 +21,7 @@ PLANE, END = NECK / 2, NECK  # where passages count, and where particles leave [
 
 # Heavier and softer than a hydrogel bead, for a step that is affordable; inertia still fades within 0.08 d/u.
 DENSITY, VISCOSITY, SPEED = 1.062e4, 1.8e-3, 5e-3
-E, NU = 1e6, 0.35
+E, NU = 2.5e5, 0.35
 MASS = DENSITY * math.pi / 6 * DIAMETER**3
 DRAG = 3 * math.pi * VISCOSITY * DIAMETER  # [N s/m]
 TAU = DIAMETER / SPEED  # [s]
@@ -29,8 +29,8 @@ NORMAL = E / (2 * (1 - NU**2))  # E* [Pa]
 SHEAR = E / (2 * (1 + NU)) / (2 * (2 - NU))  # G* [Pa]
 RESTITUTION = 0.7  # that LIGGGHTS is asked for; the others get what gives the same dashpot
 
-STEP = 4e-6
-FRAME = 500  # steps between two looks at the pack: 0.21 tau
+STEP = 8e-6
+FRAME = 250  # steps between two looks at the pack: 0.21 tau
 WAIT = 25  # frames without a passage: 5.3 tau
 LAST = 400  # frames, 85 tau, then the run ends
 REST = 0.01  # of SPEED, root mean square of all before the plane

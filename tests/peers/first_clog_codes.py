@@ -97,12 +97,13 @@ def run(words, folder):
 
 
 class Clog:
-    def __init__(self, program, name="clogflow", **law):
-        self.program, self.name = program, name
+    def __init__(self, program, name="clogflow", moved=0.0, **law):
+        """moved: all places along x [m]; law: scene keys of the section contact"""
+        self.program, self.name, self.moved = program, name, moved
         self.law = {"tangential_factor": 1, "tangential_damping": 0, "friction.sliding": 0.6} | law
 
     def write(self, folder, places, rolling):
-        rows = ["x,y,z"] + [",".join(map(repr, place)) for place in places.tolist()]
+        rows = ["x,y,z"] + [f"{x + self.moved!r},{y!r},{z!r}" for x, y, z in places.tolist()]
         (folder / "particles.csv").write_text("\n".join(rows) + "\n")
         (folder / "scene.toml").write_text(f"""
 [geometry]
@@ -211,7 +212,7 @@ timestep {STEP}
 
 class Lammps(Peer):
     name = "LAMMPS"
-    overlap = 1.5e-3 * DIAMETER  # for which its rolling springs of constant stiffness are ours
+    overlap = 2e-3 * DIAMETER  # for which its rolling springs of constant stiffness are ours
 
     def rolling(self, radius, coefficient):
         stiffness = 8 * SHEAR * math.sqrt(radius * self.overlap)
