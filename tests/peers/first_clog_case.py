@@ -67,10 +67,10 @@ class FirstClog(NamedTuple):
 
 def first_clog(frames):
     """frames: rows of passages until then and root mean square speed of the others [m/s], one a FRAME."""
-    since = 0
+    since, most = -1, 0  # the start is one FRAME before the first
     for k, (passed, speed) in enumerate(frames):
-        if passed > frames[since][0]:
-            since = k
+        if passed > most:
+            since, most = k, passed
         if passed == PARTICLES:
             return FirstClog(PARTICLES, False, True, k)
         if k - since >= WAIT and speed <= REST * SPEED:
