@@ -19,10 +19,10 @@ def label_of(group):
         known = f"> {mean['low']:.3g}" if mean["low"] is not None else "unknown"
     else:
         known = f"= {mean['value']:.3g}" + (f" [{mean['low']:.3g}, {mean['high']:.3g}]" if mean["low"] is not None else "")
-    law = "\ngeometric law ruled out" if first["geometric"]["ruled_out"] else ""
+    law = ", geometric law ruled out" if first["geometric"]["ruled_out"] else ""
     if "tail" in first["geometric"]:
         law += f" before $n$ = {first['geometric']['tail']['from']}"
-    return f"{style.plain(group['label'])}: $\\langle s\\rangle$ {known}, {clogs} clogged{law}"
+    return f"{style.plain(group['label'])}: $\\langle s\\rangle$ {known}\n{clogs} clogged{law}"
 
 
 def steps_of(rows, largest):

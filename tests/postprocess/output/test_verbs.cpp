@@ -106,7 +106,7 @@ TEST(Stats, one_line_for_runs_that_stop_at_their_first_clog) {
   EXPECT_THAT(
       stats.output,
       testing::MatchesRegex("D/d = 3.03: <s> = [0-9.]+ .[0-9., ]+. passages until the first clog, 40 seeds, 0 cut by "
-                            "the end; geometric law [a-z ]+.p . [0-9.]+.; packing near the neck 0.47.*"));
+                            "the end; geometric law [a-z ]+.p . [0-9.]+.; packing near the neck 0.4.*"));
   EXPECT_THAT(stats.output, HasSubstr("of 40 clogs stood more than a neck width upstream of the neck: not the neck's"));
 }
 
