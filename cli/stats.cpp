@@ -8,6 +8,7 @@
 #include "cli/verbs.hpp"
 #include "coupling/base/require.hpp"
 #include "coupling/base/units.hpp"
+#include "coupling/scene/unclog_protocol.hpp"
 #include "postprocess/output/statistics_files.hpp"
 
 namespace clogflow::cli {
@@ -43,12 +44,36 @@ void print_verdicts(const postprocess::GroupStatistics& group) {
   if (alpha && alpha->verdict.ruled_out) fmt::print("  alpha: {}\n", alpha->verdict.words);
   const auto& spread = group.bursts.spread;
   if (spread && spread->verdict.ruled_out) fmt::print("  s: geometric law {}\n", spread->verdict.words);
+  if (group.burst_order && group.burst_order->depends) fmt::print("  s: {}\n", group.burst_order->words);
+}
+
+/// Passages until the first clog, in one line: nothing else is known of runs that end there.
+void print_first_burst(const postprocess::GroupStatistics& group) {
+  const auto& first = group.first_burst;
+  const auto& packing = first.packing.flowing.value;
+  fmt::print("{}: <s> = {} passages until the first clog{}, {} seeds, {} cut by the end; geometric law {}", group.label,
+             known(first.mean.mean),
+             first.mean.is_restricted && first.clogged > 0 ? fmt::format(" (restricted to {})", first.mean.up_to) : "",
+             first.seeds, first.seeds - first.clogged, first.verdict.words);
+  fmt::print("; packing near the neck {}\n", std::isfinite(packing) ? fmt::format("{:.3g}", packing) : "unknown");
+  if (const auto& tail = first.tail)
+    fmt::print("  memoryless from {} passages on: hazard {} per passage, {} clogs (p = {:.2g})\n", tail->from,
+               known(tail->hazard), tail->events, tail->test.p_value);
+  const auto& places = first.places;
+  if (places.upstream > 0)
+    fmt::print("  {} of {} clogs stood more than a neck width upstream of the neck: not the neck's\n", places.upstream,
+               places.known);
 }
 
 void print_summary(const postprocess::Statistics& statistics) {
   for (std::size_t i = 0; i < statistics.groups.size(); ++i) {
     const auto& group = statistics.numbers[i];
-    const bool by_release = statistics.groups[i].scene.unclog.protocol == UnclogProtocol::release;
+    const UnclogProtocol protocol = statistics.groups[i].scene.unclog.protocol;
+    if (protocol == UnclogProtocol::stop) {
+      print_first_burst(group);
+      continue;
+    }
+    const bool by_release = clears_clogs(protocol);
     fmt::print("{}: {} seeds, {} bursts, <s> = {}, {} = {}, {} passages/s\n", group.label,
                statistics.groups[i].records.size(), group.bursts.counted, with_interval(group, "mean_burst"),
                by_release ? "releases without a passage" : "alpha(T_min)",

@@ -39,17 +39,18 @@ json differences(const Sample& reference, const Sample& sample) {
   return all;
 }
 
-/// Releases cut the arrests short: what is left of them says more about the protocol than the clogs.
-bool cut_by_releases(const std::string& key) {
+/// Releases, and the stop at a clog, cut the arrests short: what is left of them says more about the protocol than the
+/// clogs.
+bool cut_by_protocol(const std::string& key) {
   return key == "alpha" || key == "share_censored" || key == "share_permanent";
 }
 
 /// Largest difference that is real, and the far end of the widest interval.
 void judge(json& entry, const Scene& scene) {
-  const bool releases = scene.unclog.protocol == UnclogProtocol::release;
+  const bool cuts = scene.unclog.protocol != UnclogProtocol::none;
   double error = 0, hidden = 0;
   for (const auto& [key, d] : entry["differences"].items()) {
-    if (d["low"].is_null() || (releases && cut_by_releases(key))) continue;
+    if (d["low"].is_null() || (cuts && cut_by_protocol(key))) continue;
     if (d["real"]) error = std::max(error, std::abs(d["difference"].get<double>()));
     hidden = std::max({hidden, std::abs(d["low"].get<double>()), std::abs(d["high"].get<double>())});
   }

@@ -164,7 +164,7 @@ void estimate_cost(const Scene& s, const Model& model, Plan& plan) {
     const double start = channel_start(s.geometry);
     plan.particles +=
         (1 - pack_porosity) * channel_volume(s.geometry, start, 0) / sphere_volume(s.particles.diameter / 2);
-    if (s.inlet.start == InletStart::filled)
+    if (s.inlet.start != InletStart::empty)
       plan.filling_steps = filling_share * s.geometry.channel_length / s.flow_speed() / model.dt;
     if (s.inlet.start == InletStart::flowing) plan.filling_steps = flowing_time(s) / model.dt;
   }

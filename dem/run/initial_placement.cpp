@@ -137,11 +137,11 @@ void check_pairs(const InitialParticles& initial, const Model& model) {
 void check_placement(const InitialParticles& initial, const Model& model) {
   if (initial.particles.empty()) return;
   const auto& inlet = model.scene.inlet;
-  require(!inlet.enabled || inlet.start != InletStart::filled,
-          "particles.initial = \"{}\" (inlet.start = \"filled\" scatters its own particles over "
+  require(!inlet.enabled || inlet.start == InletStart::empty,
+          "particles.initial = \"{}\" (inlet.start = \"{}\" scatters its own particles over "
           "the channel, onto those): set "
           "inlet.start = \"empty\", or leave out particles.initial",
-          model.scene.particles.initial);
+          model.scene.particles.initial, inlet.start == InletStart::filled ? "filled" : "flowing");
   check_extent(initial, model);
   check_walls(initial, model);
   check_pairs(initial, model);

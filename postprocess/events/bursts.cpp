@@ -2,6 +2,7 @@
 #include "postprocess/events/bursts.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace clogflow::postprocess {
 namespace {
@@ -72,6 +73,13 @@ std::vector<Burst> bursts_after_releases(const RunData& run, const Window& windo
     bursts.push_back(burst);
   }
   return bursts;
+}
+
+Burst burst_until_stop(const RunData& run, const Window& window, BurstKind kind) {
+  // The last passage may fall on the end itself.
+  Burst burst = burst_of(passages_in(run, {window.start, std::nextafter(window.end, 2 * window.end)}, 0), window.start);
+  burst.kind = kind;
+  return burst;
 }
 
 }  // namespace clogflow::postprocess

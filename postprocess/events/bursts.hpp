@@ -37,4 +37,8 @@ std::vector<Burst> bursts_between_clogs(const RunData& run, const Window& window
 /// before a release [s]
 std::vector<Burst> bursts_after_releases(const RunData& run, const Window& window, double rest);
 
+/// The only burst of a run that ends at its first clog: all passages.
+/// \param kind first if the clog was reached, cut_off if the end of the run came before it
+Burst burst_until_stop(const RunData& run, const Window& window, BurstKind kind);
+
 }  // namespace clogflow::postprocess

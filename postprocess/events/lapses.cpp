@@ -48,6 +48,11 @@ std::vector<Lapse> arrests_of(const std::vector<Lapse>& lapses, double threshold
   return arrests;
 }
 
+bool ends_clogged(const std::vector<Lapse>& lapses, const Window& window, double tau) {
+  if (lapses.empty()) return window.end - window.start >= permanent_after * tau;
+  return lapses.back().end == LapseEnd::run && lapses.back().duration >= permanent_after * tau;
+}
+
 Observation as_observation(const Lapse& lapse) { return {lapse.duration, lapse.end != LapseEnd::passage}; }
 
 }  // namespace clogflow::postprocess

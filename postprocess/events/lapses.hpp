@@ -38,6 +38,14 @@ std::vector<Lapse> lapses_of(const RunData& run, const Window& window);
 /// Lapses of at least the threshold: arrests. \param threshold T_min, tau/2 in the paper [s]
 std::vector<Lapse> arrests_of(const std::vector<Lapse>& lapses, double threshold);
 
+/// A run whose last arrest has lasted this many Stokes times counts as permanently clogged: the
+/// rest criterion of the release protocol (`unclog.after`, default 5 tau).
+inline constexpr double permanent_after = 5.0;
+
+/// Whether nothing passed in the end for permanent_after Stokes times, or in the whole window.
+/// \param lapses of the window \param tau [s]
+bool ends_clogged(const std::vector<Lapse>& lapses, const Window& window, double tau);
+
 /// For the survival analysis: what no passage ended is censored.
 Observation as_observation(const Lapse& lapse);
 

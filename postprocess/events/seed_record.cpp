@@ -5,6 +5,7 @@
 
 #include "coupling/base/quantile.hpp"
 #include "coupling/base/require.hpp"
+#include "coupling/scene/unclog_protocol.hpp"
 
 namespace clogflow::postprocess {
 namespace {
@@ -33,7 +34,14 @@ SteadyState steady_state(const RunData& run, const Window& window) {
   return steady;
 }
 
-bool fills_behind_a_gate(const Scene& scene) { return scene.inlet.enabled && scene.inlet.start == InletStart::filled; }
+bool fills_behind_a_gate(const Scene& scene) { return scene.inlet.enabled && scene.inlet.start != InletStart::empty; }
+
+std::vector<Burst> bursts_of(const RunData& run, const Scene& scene, const ClogScale& scale, const SeedRecord& record) {
+  if (clears_clogs(record.protocol)) return bursts_after_releases(run, record.window, scene.unclog.after);
+  if (record.protocol == UnclogProtocol::stop)
+    return {burst_until_stop(run, record.window, record.first_burst.clogged ? BurstKind::first : BurstKind::cut_off)};
+  return bursts_between_clogs(run, record.window, scale.threshold);
+}
 
 }  // namespace
 
@@ -48,7 +56,7 @@ ClogScale clog_scale(const Scene& scene, std::optional<double> threshold, const 
 double end_of_filling(const RunData& run, const Scene& scene) {
   const auto& time = run.series.time;
   const auto& count = run.series.count;
-  if (!scene.inlet.enabled || scene.inlet.start == InletStart::filled || time.empty()) return 0;
+  if (!scene.inlet.enabled || fills_behind_a_gate(scene) || time.empty()) return 0;
   std::vector<std::int64_t> late(count.begin() + static_cast<std::ptrdiff_t>(count.size() / 2), count.end());
   const double full = full_share * static_cast<double>(quantile(late, 0.5));
   for (std::size_t i = 0; i < time.size(); ++i) {
@@ -69,9 +77,9 @@ SeedRecord record_of(const RunData& run, const Scene& scene, const ClogScale& sc
   }
   record.lapses = lapses_of(run, record.window);
   record.releases = run.releases.off.size();
-  record.bursts = record.protocol == UnclogProtocol::release
-                      ? bursts_after_releases(run, record.window, scene.unclog.after)
-                      : bursts_between_clogs(run, record.window, scale.threshold);
+  record.first_burst = first_burst_of(run, scene, record.window, scale.tau);
+  record.start_flowed = run.record.start_flowed;
+  record.bursts = bursts_of(run, scene, scale, record);
   record.steady = steady_state(run, record.window);
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   record.filling_time = fills_behind_a_gate(scene) ? run.record.fill_time.value_or(unknown) : record.window.start;

@@ -11,6 +11,7 @@
 #include "coupling/files/run_file.hpp"
 #include "coupling/scene/scene.hpp"
 #include "postprocess/events/bursts.hpp"
+#include "postprocess/events/first_burst.hpp"
 #include "postprocess/events/lapses.hpp"
 
 namespace clogflow::postprocess {
@@ -42,15 +43,17 @@ struct SeedRecord {
   std::size_t releases = 0;
   std::vector<Lapse> lapses;
   std::vector<Burst> bursts;  ///< as the scene's unclog.protocol defines them
+  FirstBurst first_burst;
+  std::optional<bool> start_flowed;  ///< whether a flowing start passed its strain, if the solver says so
   SteadyState steady;
-  double filling_time = 0;  ///< measured (start = "empty"), or as the solver says (start = "filled"),
-                            ///< NaN if it does not [s]
+  double filling_time = 0;  ///< measured (start = "empty"), or as the solver says (start = "filled" or
+                            ///< "flowing"), NaN if it does not [s]
   double wall_time = std::numeric_limits<double>::quiet_NaN();  ///< if the solver says so [s]
 };
 
 SeedRecord record_of(const RunData& run, const Scene& scene, const ClogScale& scale);
 
-/// When the channel is full: 0 for start = "filled"; for start = "empty" the first time at which
+/// When the channel is full: 0 for start = "filled" and "flowing"; for start = "empty" the first time at which
 /// the number of particles reaches 95 % of its median over the second half of the run.
 double end_of_filling(const RunData& run, const Scene& scene);
 

@@ -56,7 +56,7 @@ def draw_fits(axes, group, colour, largest, single):
     names = {"free": r"$T_{\min}$ found", "fixed": r"$T_{\min}=\tau/2$"}
     for key, (line, fit_colour) in styles.items():
         fit = group["power_law"][key]
-        if "refused" in fit or (not single and (key == "free" or group["protocol"] == "release")):
+        if "refused" in fit or (not single and (key == "free" or group["protocol"] != "none")):
             continue
         xmin, alpha = fit["xmin_over_tau"], fit["alpha"]
         x = np.geomspace(xmin, max(largest * 1.2, 2 * xmin), 50)

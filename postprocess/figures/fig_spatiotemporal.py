@@ -58,7 +58,7 @@ def key(axes, released):
     names = [r"particles pass (bar of width $\tau$)", "no passage"]
     if released:
         handles.append(plt.Line2D([], [], ls="none", marker="|", ms=6, mew=1, color=style.RELEASE))
-        names.append("release (friction off)")
+        names.append("clog cleared")
     axes.legend(handles, names, loc="lower right", bbox_to_anchor=(1.0, 1.0), borderaxespad=0.3, ncols=3)
 
 

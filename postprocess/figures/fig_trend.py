@@ -5,6 +5,7 @@ from matplotlib.markers import CARETDOWNBASE, CARETUPBASE
 
 import style
 
+CUT = ("cut by releases", "cut by the stop")  # arrests whose exponent is no property of the clogs
 DISPLAY = {"m": ("µm", 1e6), "rad": ("deg", 180 / np.pi), "s": ("ms", 1e3)}
 
 
@@ -35,7 +36,7 @@ def draw_point(axes, x, entry, colour):
     elif entry["value"] is not None:
         if entry["low"] is not None:
             axes.plot([x, x], [entry["low"], entry["high"]], color=colour, lw=1)
-        face = "white" if entry["status"] == "cut by releases" else colour
+        face = "white" if entry["status"] in CUT else colour
         axes.plot(x, entry["value"], "o", ms=5, color=colour, mfc=face)
 
 
@@ -111,8 +112,9 @@ def draw_alpha(axes, statistics):
     axes.yaxis.set_minor_formatter("{x:g}")
     axes.tick_params(axis="y", which="minor", labelsize=7)
     axes.axhline(2, color=style.GREY, lw=0.8, ls=":")
-    if any(point["alpha"]["status"] == "cut by releases" for point in statistics.data["trend"]["points"]):
-        axes.plot([], [], "o", color=style.INK, mfc="white", label="arrests cut by releases")
+    for status in CUT:
+        if any(point["alpha"]["status"] == status for point in statistics.data["trend"]["points"]):
+            axes.plot([], [], "o", color=style.INK, mfc="white", label=f"arrests {status}")
     if all(point["alpha"]["status"] == "no arrest" for point in statistics.data["trend"]["points"]):
         style.say(axes, r"no arrest ($T \geq T_{\min}$) in any run")
     variable.label(axes)

@@ -17,6 +17,10 @@ CAPTIONS = {
     "bursts": "Burst sizes over their mean, with the counting error. Dashed: geometric law of a memoryless clogging. In a sweep, "
               "right: the mean, first bursts and those cut off by the end included, with its 95 % interval; a triangle stands on the lower bound "
               "of a point without a clog; dashed: fitted law.",
+    "first_burst": "Passages until the first clog of a seed. Above: share of the seeds that more than n particles pass (Kaplan-Meier "
+                   "with standard error; seeds that the end of the run cut are censored); dashed: geometric law, from "
+                   "where on it is not ruled out. Below: chance that the neck clogs before the next passage, ten clogs or more a bin, exact 95 % interval; a "
+                   "triangle hangs on an upper bound.",
     "lapses": "a: lapses between passages and the power laws fitted to them (Clauset, Shalizi & Newman); dotted: clog threshold; "
               "lapses below 0.001 τ are not shown. "
               "b: arrests that survive a time (Kaplan-Meier with standard error; arrests cut by a release or by the end of the run are censored). "
@@ -90,9 +94,45 @@ def applies(key, groups):
 def memoryless(group):
     """Whether the burst sizes have the law of a memoryless stopping."""
     law = group["bursts"].get("geometric")
-    if law is None:
-        return quiet("no burst that began and ended within a run")
-    return marked("", law["verdict"]) if law["ruled_out"] else law["verdict"]
+    return quiet("no burst that began and ended within a run") if law is None else ruling(law)
+
+
+def ruling(verdict):
+    return marked("", verdict["verdict"]) if verdict["ruled_out"] else verdict["verdict"]
+
+
+def first_bursts(groups):
+    """One burst a seed, and the packing that they belong to."""
+    firsts = [group["first_burst"] for group in groups]
+    order = [group["burst_order"] for group in groups]
+    rows = [["first bursts: seeds that clogged (cut off by the end)", *[f"{f['clogged']} ({f['cut_off']})" for f in firsts]],
+            ["first bursts: mean, of those cut off too", *[restricted(f["mean"]) for f in firsts]],
+            ["first bursts: geometric law", *[law_of_first(f["geometric"]) for f in firsts]],
+            ["solids near the neck until the last passage of the first burst", *[interval(f["packing_near_neck"]["flowing"]) for f in firsts]],
+            ["solids near the neck at its end", *[interval(f["packing_near_neck"]["at_end"]) for f in firsts]],
+            ["first clogs more than a neck width upstream of the neck", *[places(f["clog_places"]) for f in firsts]]]
+    if any(order):
+        rows.append(["later bursts: alike and independent?",
+                     *[quiet("too few") if o is None else marked("", o["verdict"]) if o["depends"] else o["verdict"] for o in order]])
+    return rows
+
+
+def law_of_first(geometric):
+    if "tail" not in geometric:
+        return ruling(geometric)
+    tail = geometric["tail"]
+    return Markup(f"{ruling(geometric)} memoryless from {tail['from']} passages on, hazard {interval(tail['hazard'])} "
+                  f"{quiet('p = %.2g' % tail['p_value'])}")
+
+
+def restricted(mean):
+    if mean["value"] is None or mean["restricted_to"] is None:
+        return interval(mean)
+    return Markup(f"{interval(mean)} {quiet('restricted to %d' % mean['restricted_to'])}")
+
+
+def places(clogs):
+    return f"{clogs['upstream']} of {clogs['known']}" if clogs["known"] else quiet(clogs["share_upstream"]["note"])
 
 
 def summary(groups):
@@ -111,6 +151,7 @@ def summary(groups):
         unit = "" if entry["unit"] == "1" else f" [{entry['unit']}]"
         rows.append([entry["meaning"] + unit, *[headline(g["quantities"][key]) for g in groups]])
     rows.append(["geometric law of the burst sizes", *[memoryless(g) for g in groups]])
+    rows += first_bursts(groups)
     rows.append(["particles, steady", *[interval(g["steady"]["particles"]) for g in groups]])
     rows.append(["packing fraction, steady", *[interval(g["steady"]["packing_fraction"]) for g in groups]])
     for strip in range(max(len(g["steady"]["porosity"]) for g in groups)):

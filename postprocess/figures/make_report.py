@@ -4,6 +4,7 @@ import sys
 from pathlib import Path
 
 import fig_bursts
+import fig_first_burst
 import fig_lapses
 import fig_series
 import fig_snapshots
@@ -19,7 +20,8 @@ def main():
     folder = Path(sys.argv[2])
     folder.mkdir(parents=True, exist_ok=True)
     paths = []
-    for figure in (fig_snapshots, fig_spatiotemporal, fig_bursts, fig_lapses, fig_series):
+    first_bursts = [fig_first_burst] if fig_first_burst.exists(statistics) else []
+    for figure in (fig_snapshots, fig_spatiotemporal, *first_bursts, fig_bursts, fig_lapses, fig_series):
         paths += figure.make(statistics, folder)
     paths.append(html_page.write(statistics, paths, folder))
     for path in paths:

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
+#include "postprocess/laws/cutting_times.hpp"
 #include "postprocess/laws/goodness_of_fit.hpp"
 #include "postprocess/laws/parallel.hpp"
 #include "postprocess/laws/pareto_tail.hpp"
@@ -38,25 +38,6 @@ SurvivalTest distance(const std::vector<Observation>& tail, double xmin) {
   }
   return test;
 }
-
-/// When an observation is cut, as the sample says; infinite beyond what it has seen.
-class CuttingTimes {
-public:
-  explicit CuttingTimes(std::vector<Observation> tail) {
-    for (Observation& x : tail) x.censored = !x.censored;
-    steps_ = kaplan_meier(std::move(tail));
-  }
-
-  double operator()(RandomStream& random) const {
-    const double u = random.uniform();
-    for (const SurvivalStep& step : steps_)
-      if (step.survival <= u) return step.time;
-    return std::numeric_limits<double>::infinity();
-  }
-
-private:
-  std::vector<SurvivalStep> steps_;
-};
 
 }  // namespace
 

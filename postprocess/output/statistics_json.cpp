@@ -7,6 +7,8 @@
 #include "coupling/files/record_json.hpp"
 #include "coupling/geometry/channel_geometry.hpp"
 #include "coupling/scene/readable_scene.hpp"
+#include "postprocess/events/sweep_axis.hpp"
+#include "postprocess/output/first_burst_json.hpp"
 #include "postprocess/output/fit_json.hpp"
 #include "postprocess/output/trend_json.hpp"
 
@@ -144,11 +146,13 @@ json as_json(const RunGroup& group, const GroupStatistics& numbers) {
           {"scene", readable_scene(group.scene_text)},
           {"scene_hash", content_hash(group.scene_text)},
           {"geometry", geometry(group.scene)},
-          {"protocol", group.scene.unclog.protocol == UnclogProtocol::release ? "release" : "none"},
+          {"protocol", key_value(group.lines, "unclog.protocol").text},
           {"tau", group.scale.tau},
           {"t_min", group.scale.threshold},
           {"runs", runs},
           {"quantities", quantities},
+          {"first_burst", as_json(numbers.first_burst)},
+          {"burst_order", numbers.burst_order ? as_json(*numbers.burst_order) : json()},
           {"bursts", as_json(numbers.bursts)},
           {"lapses", lapses},
           {"arrests", as_json(numbers.lapses.arrests)},

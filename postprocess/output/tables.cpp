@@ -1,6 +1,7 @@
 // Writes the tables of events and distributions.
 #include "postprocess/output/tables.hpp"
 
+#include <cmath>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -8,6 +9,7 @@
 #include "postprocess/laws/distributions.hpp"
 #include "postprocess/laws/survival.hpp"
 #include "postprocess/summary/event_statistics.hpp"
+#include "postprocess/summary/first_burst_statistics.hpp"
 
 namespace clogflow::postprocess {
 namespace {
@@ -73,6 +75,29 @@ void add_survival(Out out, const RunGroup& group, std::size_t index, double shor
   }
 }
 
+/// A number, or nothing where it is not known.
+std::string cell(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
+
+void add_first_bursts(Out out, const RunGroup& group, std::size_t index) {
+  for (const SeedRecord& record : group.records) {
+    const FirstBurst& burst = record.first_burst;
+    fmt::format_to(out, "{},{},{},{},{},{},{}\n", index, record.seed, burst.size, burst.clogged ? 1 : 0,
+                   cell(burst.clog_position.value_or(NAN)), cell(burst.packing_flowing), cell(burst.packing_at_end));
+  }
+}
+
+/// S(n) is the share of the seeds that more than n particles pass before the first clog.
+void add_first_burst_survival(Out out, const RunGroup& group, std::size_t index) {
+  for (const SurvivalStep& step : kaplan_meier(as_observations(first_bursts(group))))
+    fmt::format_to(out, "{},{},{},{},{},{}\n", index, step.time, step.survival, step.error, step.at_risk, step.ended);
+}
+
+void add_first_burst_hazard(Out out, const RunGroup& group, std::size_t index) {
+  for (const HazardBin& bin : hazard_bins(first_bursts(group), events_per_hazard_bin, Resampling{}.level))
+    fmt::format_to(out, "{},{},{},{},{},{},{},{}\n", index, bin.from, bin.to, bin.events, bin.trials, bin.hazard.value,
+                   bin.hazard.low, bin.hazard.high);
+}
+
 template <class Add>
 Table table(const char* file, const char* header, const std::vector<RunGroup>& groups, const Add& add) {
   Table table{file, fmt::format("{}\n", header)};
@@ -96,6 +121,12 @@ std::vector<Table> tables_of(const std::vector<RunGroup>& groups) {
             [](Out out, const RunGroup& group, std::size_t i) { add_survival(out, group, i, 0.0); }),
       table("arrest_survival.csv", survival, groups,
             [](Out out, const RunGroup& group, std::size_t i) { add_survival(out, group, i, group.scale.threshold); }),
+      table("first_bursts.csv",
+            "group,seed,s [1],clogged,clog_position [m],packing_near_neck_flowing [1],packing_near_neck_at_end [1]",
+            groups, add_first_bursts),
+      table("first_burst_survival.csv", "group,n [1],S [1],error [1],at_risk,ended", groups, add_first_burst_survival),
+      table("first_burst_hazard.csv", "group,n_from [1],n_to [1],clogs,trials,hazard [1],low [1],high [1]", groups,
+            add_first_burst_hazard),
   };
 }
 

@@ -15,7 +15,7 @@ struct Table {
 };
 
 /// lapses, bursts, arrests, burst_distribution, lapse_distribution, lapse_survival,
-/// arrest_survival.
+/// arrest_survival, first_bursts, first_burst_survival, first_burst_hazard.
 std::vector<Table> tables_of(const std::vector<RunGroup>& groups);
 
 }  // namespace clogflow::postprocess

@@ -6,18 +6,14 @@
 
 #include <fmt/format.h>
 
+#include "coupling/scene/unclog_protocol.hpp"
+
 namespace clogflow::postprocess {
-
-namespace {
-
-constexpr std::size_t geometric_replicates = 1000;  // p to 0.016 at most
-
-}  // namespace
 
 std::vector<std::size_t> counted_burst_sizes(const RunGroup& group) {
   std::vector<std::size_t> sizes;
   for (const SeedRecord& record : group.records) {
-    const bool by_release = record.protocol == UnclogProtocol::release;
+    const bool by_release = clears_clogs(record.protocol);
     for (const Burst& burst : record.bursts) {
       const bool counts = burst.kind == BurstKind::whole || (burst.kind == BurstKind::first && !by_release);
       if (counts && burst.size > 0) sizes.push_back(burst.size);
@@ -53,13 +49,17 @@ BurstSpread spread_of(const std::vector<std::size_t>& sizes, std::uint64_t seed)
   spread.share_up_to_3 = small;
   spread.share_up_to_3_geometric = 1.0 - std::pow(1.0 - 1.0 / mean, 3);
   spread.geometric = test_geometric(sizes, geometric_replicates, seed);
-  const bool ruled_out = spread.geometric.p_value < ruled_out_below;
-  spread.verdict = {ruled_out, fmt::format("{} ({})", ruled_out ? "ruled out" : "not ruled out",
-                                           p_in_words(spread.geometric.p_value, geometric_replicates))};
+  spread.verdict = geometric_verdict(spread.geometric);
   return spread;
 }
 
 }  // namespace
+
+Verdict geometric_verdict(const GeometricTest& test) {
+  const bool ruled_out = test.p_value < ruled_out_below;
+  return {ruled_out, fmt::format("{} ({})", ruled_out ? "ruled out" : "not ruled out",
+                                 p_in_words(test.p_value, geometric_replicates))};
+}
 
 BurstShape burst_shape(const RunGroup& group, const StatisticsRequest& request) {
   BurstShape shape;

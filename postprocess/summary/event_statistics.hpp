@@ -32,6 +32,11 @@ struct Verdict {
   std::string words;
 };
 
+/// Samples that a test of the geometric law makes up: p to 0.016 at most.
+inline constexpr std::size_t geometric_replicates = 1000;
+
+Verdict geometric_verdict(const GeometricTest& test);
+
 /// Spread and share of small bursts, beside those of a geometric law (memoryless stopping) of the same mean.
 struct BurstSpread {
   std::size_t largest = 0;

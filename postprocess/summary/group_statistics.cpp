@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "coupling/base/require.hpp"
+#include "coupling/scene/unclog_protocol.hpp"
 
 namespace clogflow::postprocess {
 namespace {
@@ -68,18 +69,35 @@ SteadyStatistics steady_state(const RunGroup& group, const StatisticsRequest& re
   return steady;
 }
 
-std::vector<std::string> notes(const RunGroup& group) {
+/// Bursts that depend on each other have no interval from their counts.
+void widen(std::vector<QuantityStatistics>& quantities, const RunGroup& group, const Resampling& resampling) {
+  for (QuantityStatistics& each : quantities) {
+    for (const char* key : {"mean_burst", "mean_burst_with_zeros", "mean_burst_censored", "mean_burst_memoryless"})
+      if (each.quantity->key == key && std::isfinite(each.whole.value))
+        each.whole = dependent_estimate(*each.quantity, group, resampling);
+  }
+}
+
+std::vector<std::string> notes(const RunGroup& group, const GroupStatistics& numbers) {
   std::vector<std::string> notes;
   if (group.scene.contact.torsion_update == TorsionUpdate::doubling) {
     notes.emplace_back("contact.torsion_update = \"doubling\": an experiment, the springs are not objective");
   }
   if (group.scene.drag.fluctuation.strength > 0) notes.emplace_back("drag.fluctuation is on");
   if (group.scene.flow.pulsation.strength > 0) notes.emplace_back("flow.pulsation is on");
-  if (group.scene.unclog.protocol == UnclogProtocol::release) {
+  if (clears_clogs(group.scene.unclog.protocol)) {
     notes.emplace_back(
         "clogs are ended by releases: arrests are censored, alpha describes only those that end by "
         "themselves");
   }
+  if (group.scene.unclog.protocol == UnclogProtocol::stop)
+    notes.emplace_back("runs end at their first clog: alpha describes only the arrests that end by themselves");
+  if (numbers.first_burst.jammed_starts > 0)
+    notes.emplace_back(
+        fmt::format("{} of {} seeds jammed before they had flowed as inlet.strain asks; they count as bursts of "
+                    "their passages all the same",
+                    numbers.first_burst.jammed_starts, numbers.first_burst.seeds));
+  if (numbers.burst_order && numbers.burst_order->depends) notes.push_back(numbers.burst_order->words);
   if (group.records.size() < 2) notes.emplace_back("a single seed: no intervals");
   return notes;
 }
@@ -93,13 +111,18 @@ const QuantityStatistics& GroupStatistics::of(const std::string& key) const {
 }
 
 GroupStatistics group_statistics(const RunGroup& group, const StatisticsRequest& request) {
-  return {.label = {},
-          .quantities = quantities_with_halves(group, request),
-          .bursts = burst_shape(group, request),
-          .lapses = lapse_counts(group),
-          .power_laws = power_laws(group, request),
-          .steady = steady_state(group, request),
-          .notes = notes(group)};
+  GroupStatistics numbers{.label = {},
+                          .quantities = quantities_with_halves(group, request),
+                          .first_burst = first_burst_statistics(group, request),
+                          .burst_order = burst_order(group, request.resampling),
+                          .bursts = burst_shape(group, request),
+                          .lapses = lapse_counts(group),
+                          .power_laws = power_laws(group, request),
+                          .steady = steady_state(group, request),
+                          .notes = {}};
+  if (numbers.burst_order && numbers.burst_order->depends) widen(numbers.quantities, group, request.resampling);
+  numbers.notes = notes(group, numbers);
+  return numbers;
 }
 
 }  // namespace clogflow::postprocess

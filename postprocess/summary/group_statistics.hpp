@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "postprocess/events/run_groups.hpp"
+#include "postprocess/summary/burst_order.hpp"
 #include "postprocess/summary/event_statistics.hpp"
+#include "postprocess/summary/first_burst_statistics.hpp"
 #include "postprocess/summary/quantities.hpp"
 
 namespace clogflow::postprocess {
@@ -33,6 +35,8 @@ struct SteadyStatistics {
 struct GroupStatistics {
   std::string label;                           ///< what tells it from the other ensembles
   std::vector<QuantityStatistics> quantities;  ///< in the order of the table of quantities
+  FirstBurstStatistics first_burst;
+  std::optional<BurstOrder> burst_order;  ///< of runs that clear their clogs
   BurstShape bursts;
   LapseCounts lapses;
   PowerLaws power_laws;

@@ -78,9 +78,17 @@ const std::vector<Quantity> all_quantities{
     {"share_censored", "1", "share of the arrests that a release or the end of the run cut", "no arrest",
      [](const Totals& t) { return t.censored / t.arrests; },
      [](const Totals& t, double level) { return share(t.censored, t.arrests, level); }},
-    {"share_permanent", "1", "share of the seeds that end in a clog of 5 tau or more", "no seed",
-     [](const Totals& t) { return t.permanent / t.seeds; },
+    {"share_permanent", "1", "share of the seeds that end in a clog of 5 tau or more, or that a clog stopped",
+     "no seed", [](const Totals& t) { return t.permanent / t.seeds; },
      [](const Totals& t, double level) { return share(t.permanent, t.seeds, level); }, ShownBy::end_of_run},
+    {"first_burst_mean", "1", "<s> of the first, free bursts, one a seed: passages per first clog, none included",
+     "no seed clogged", [](const Totals& t) { return t.first_clogs > 0 ? t.until_first / t.first_clogs : undefined; },
+     [](const Totals& t, double level) { return mean_size_with_zeros(t.first_clogs, t.until_first, level); },
+     ShownBy::end_of_run},
+    {"first_burst_hazard", "1", "chance that the first clog comes before the next passage, as if it never changed",
+     "no passage and no clog", [](const Totals& t) { return t.first_clogs / (t.first_clogs + t.until_first); },
+     [](const Totals& t, double level) { return share(t.first_clogs, t.first_clogs + t.until_first, level); },
+     ShownBy::end_of_run},
 };
 
 Estimate from_counts(const Quantity& quantity, const Totals& sum, double level) {
@@ -96,15 +104,19 @@ const Quantity* find_quantity(const std::string& key) {
   return found == all_quantities.end() ? nullptr : &*found;
 }
 
-Estimate estimate(const Quantity& quantity, const std::vector<Totals>& seeds, const Resampling& resampling) {
-  Estimate known = bootstrap_over_seeds(
-      seeds.size(),
+Estimate resampled(const Quantity& quantity, const std::vector<Totals>& parts, const Resampling& resampling) {
+  return bootstrap_over_seeds(
+      parts.size(),
       [&](const std::vector<std::size_t>& drawn) {
         Totals sum;
-        for (const std::size_t k : drawn) sum = sum + seeds[k];
+        for (const std::size_t k : drawn) sum = sum + parts[k];
         return quantity.value(sum);
       },
       resampling);
+}
+
+Estimate estimate(const Quantity& quantity, const std::vector<Totals>& seeds, const Resampling& resampling) {
+  Estimate known = resampled(quantity, seeds, resampling);
   if (!std::isfinite(known.value)) {
     const Estimate bound = from_counts(quantity, sum_of(seeds), resampling.level);
     return {undefined, bound.low, bound.high, quantity.missing};

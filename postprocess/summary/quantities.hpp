@@ -35,6 +35,9 @@ const std::vector<Quantity>& quantities();
 /// The one with this key, or nullptr.
 const Quantity* find_quantity(const std::string& key);
 
+/// Value of a quantity over parts of an ensemble (seeds, or blocks of bursts) with its interval from resampled parts.
+Estimate resampled(const Quantity& quantity, const std::vector<Totals>& parts, const Resampling& resampling);
+
 /// Value of a quantity over an ensemble with its interval from resampled seeds. Where these all
 /// give the same, which is no certainty, the interval is the exact one of the counts, if they have
 /// one. The note says so, and why there is no value or no interval.

@@ -36,8 +36,9 @@ double parse_bound(const std::string& text, const std::string& rule) {
 }
 
 /// How well the counts alone can be known, however alike the seeds happen to be.
-Estimate from_counts(const Quantity& quantity, const Totals& sum, double level) {
-  const bool has_bound = quantity.key == "mean_burst" || quantity.key == "mean_burst_memoryless";
+Estimate limit_of_counts(const Quantity& quantity, const Totals& sum, double level) {
+  const bool has_bound = quantity.key == "mean_burst" || quantity.key == "mean_burst_memoryless" ||
+                         quantity.key == "first_burst_mean" || quantity.key == "first_burst_hazard";
   return has_bound ? quantity.counted(sum, level) : Estimate{NAN, NAN, NAN};
 }
 
@@ -69,7 +70,7 @@ double StoppingRule::value(const std::vector<Totals>& seeds) const {
   if (seeds.size() < fewest_seeds) return std::numeric_limits<double>::quiet_NaN();
   const Resampling resampling;
   const Estimate interval =
-      wider(estimate(*quantity_, seeds, resampling), from_counts(*quantity_, sum_of(seeds), resampling.level));
+      wider(estimate(*quantity_, seeds, resampling), limit_of_counts(*quantity_, sum_of(seeds), resampling.level));
   return 0.5 * (interval.high - interval.low) / std::abs(interval.value);
 }
 

@@ -14,7 +14,7 @@ namespace clogflow::postprocess {
 /// Used on the first seeds 1..n of a list for growing n, the rule takes the smallest n that meets it, whatever
 /// ran in which order. Neglects that looking many times stops a little early: an interval that happens to be
 /// narrow is more likely to be taken. A relative error is not asked of fewer than `fewest_seeds` seeds, and that
-/// of a mean burst is never less than the exact one of its counts.
+/// of a mean burst, or of the hazard of the first one, is never less than the exact one of its counts.
 class StoppingRule {
 public:
   static constexpr std::size_t fewest_seeds = 5;

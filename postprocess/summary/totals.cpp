@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupling/scene/unclog_protocol.hpp"
+
 namespace clogflow::postprocess {
 namespace {
 
@@ -28,42 +30,18 @@ void add_lapses(Totals& totals, const SeedRecord& record, const ClogScale& scale
   }
 }
 
-void add_bursts(Totals& totals, const SeedRecord& record, const Window& span) {
-  const bool by_release = record.protocol == UnclogProtocol::release;
-  for (const Burst& burst : record.bursts) {
-    if (burst.start < span.start || burst.start >= span.end) continue;
-    if (burst.kind == BurstKind::cut_off) {
-      totals.cut_off_escaped += static_cast<double>(burst.size);
-      continue;
-    }
-    if (by_release) {
-      if (burst.kind == BurstKind::first) {
-        totals.first_bursts += burst.size > 0 ? 1 : 0;
-        totals.first_escaped += static_cast<double>(burst.size);
-        continue;
-      }
-      ++totals.releases;
-      totals.failed += burst.size == 0 ? 1 : 0;
-      totals.while_off += static_cast<double>(burst.while_off);
-    }
-    totals.bursts += burst.size > 0 ? 1 : 0;
-    totals.escaped += static_cast<double>(burst.size);
-  }
-}
-
 bool is_permanently_clogged(const SeedRecord& record, const ClogScale& scale) {
-  if (record.passages == 0 && record.releases == 0) {
-    return record.window.end - record.window.start >= permanent_after * scale.tau;
-  }
-  return !record.lapses.empty() && record.lapses.back().end == LapseEnd::run &&
-         record.lapses.back().duration >= permanent_after * scale.tau;
+  // A clog that is proved to be one ends the run long before 5 tau.
+  if (record.protocol == UnclogProtocol::stop) return record.first_burst.clogged;
+  const bool only_after_releases = record.lapses.empty() && record.releases > 0;
+  return !only_after_releases && ends_clogged(record.lapses, record.window, scale.tau);
 }
 
 constexpr double Totals::*members[] = {
-    &Totals::seeds,         &Totals::time,         &Totals::passages, &Totals::flowing_lapses,  &Totals::flowing_time,
-    &Totals::clogged_time,  &Totals::bursts,       &Totals::escaped,  &Totals::cut_off_escaped, &Totals::first_bursts,
-    &Totals::first_escaped, &Totals::releases,     &Totals::failed,   &Totals::while_off,       &Totals::arrests,
-    &Totals::censored,      &Totals::log_exposure, &Totals::permanent};
+    &Totals::seeds,         &Totals::time,         &Totals::passages,  &Totals::flowing_lapses,  &Totals::flowing_time,
+    &Totals::clogged_time,  &Totals::bursts,       &Totals::escaped,   &Totals::cut_off_escaped, &Totals::first_bursts,
+    &Totals::first_escaped, &Totals::releases,     &Totals::failed,    &Totals::while_off,       &Totals::arrests,
+    &Totals::censored,      &Totals::log_exposure, &Totals::permanent, &Totals::first_clogs,     &Totals::until_first};
 static_assert(sizeof(members) / sizeof(*members) * sizeof(double) == sizeof(Totals));
 
 }  // namespace
@@ -73,8 +51,35 @@ Totals totals_of(const SeedRecord& record, const ClogScale& scale, const Window&
   totals.seeds = 1;
   totals.time = span.end - span.start;
   add_lapses(totals, record, scale, span);
-  add_bursts(totals, record, span);
+  for (const Burst& burst : record.bursts)
+    if (burst.start >= span.start && burst.start < span.end) totals = totals + totals_of(burst, record.protocol);
+  if (span.start <= record.window.start) {
+    totals.first_clogs = record.first_burst.clogged ? 1 : 0;
+    totals.until_first = static_cast<double>(record.first_burst.size);
+  }
   totals.permanent = span.end >= record.window.end && is_permanently_clogged(record, scale) ? 1 : 0;
+  return totals;
+}
+
+Totals totals_of(const Burst& burst, UnclogProtocol protocol) {
+  Totals totals;
+  const auto size = static_cast<double>(burst.size), any = burst.size > 0 ? 1.0 : 0.0;
+  if (burst.kind == BurstKind::cut_off) {
+    totals.cut_off_escaped = size;
+    return totals;
+  }
+  if (clears_clogs(protocol) && burst.kind == BurstKind::first) {
+    totals.first_bursts = any;
+    totals.first_escaped = size;
+    return totals;
+  }
+  if (clears_clogs(protocol)) {
+    totals.releases = 1;
+    totals.failed = 1 - any;
+    totals.while_off = static_cast<double>(burst.while_off);
+  }
+  totals.bursts = any;
+  totals.escaped = size;
   return totals;
 }
 

@@ -28,15 +28,16 @@ struct Totals {
   double arrests = 0;          ///< lapses >= T_min, censored ones included
   double censored = 0;         ///< of them, those that no passage ended
   double log_exposure = 0;     ///< sum of ln(T/T_min) over the arrests
-  double permanent = 0;        ///< seeds whose last arrest outlives the run, see permanent_after
+  double permanent = 0;        ///< seeds whose last arrest outlives the run (ends_clogged), or that a clog stopped
+  double first_clogs = 0;      ///< seeds whose first burst a clog ended (first_burst_of)
+  double until_first = 0;      ///< passages of the first bursts, those included that the end of the run cut
 };
-
-/// A run whose last arrest has lasted this many Stokes times counts as permanently clogged: the
-/// rest criterion of the release protocol (`unclog.after`, default 5 tau).
-inline constexpr double permanent_after = 5.0;
 
 /// \param span part of the record's window [s]
 Totals totals_of(const SeedRecord& record, const ClogScale& scale, const Window& span);
+
+/// What a burst alone contributes.
+Totals totals_of(const Burst& burst, UnclogProtocol protocol);
 
 /// Of whole runs. \param records of one ensemble
 Totals totals_of(const std::vector<SeedRecord>& records, const ClogScale& scale);

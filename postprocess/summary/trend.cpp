@@ -9,6 +9,7 @@
 #include <boost/math/distributions/normal.hpp>
 
 #include "coupling/base/require.hpp"
+#include "coupling/scene/unclog_protocol.hpp"
 #include "postprocess/laws/counting_interval.hpp"
 #include "postprocess/summary/quantities.hpp"
 #include "postprocess/summary/totals.hpp"
@@ -23,16 +24,22 @@ Estimate widest(const QuantityStatistics& over_seeds, const Totals& totals) {
   return wider(over_seeds.quantity->counted(totals, level), over_seeds.whole);
 }
 
-void add_mean_burst(TrendPoint& point, const Totals& totals, const GroupStatistics& numbers) {
-  const QuantityStatistics& memoryless = numbers.of("mean_burst_memoryless");
-  point.stops = static_cast<std::size_t>(all_stops(totals));
-  point.passages = static_cast<std::size_t>(all_escaped(totals));
+void add_mean_burst(TrendPoint& point, const RunGroup& group, const Totals& totals, const GroupStatistics& numbers) {
+  const bool stops = group.scene.unclog.protocol == UnclogProtocol::stop;
+  const QuantityStatistics& mean = numbers.of(stops ? "first_burst_mean" : "mean_burst_memoryless");
+  point.stops = static_cast<std::size_t>(stops ? totals.first_clogs : all_stops(totals));
+  point.passages = static_cast<std::size_t>(stops ? totals.until_first : all_escaped(totals));
   if (point.stops > 0) {
-    point.mean_burst = {widest(memoryless, totals), PointStatus::measured};
+    point.mean_burst = {widest(mean, totals), PointStatus::measured};
   } else {
-    point.mean_burst = {memoryless.quantity->counted(totals, level),
+    point.mean_burst = {mean.quantity->counted(totals, level),
                         point.passages > 0 ? PointStatus::lower_bound : PointStatus::no_passage};
   }
+}
+
+PointStatus status_of_arrests(UnclogProtocol protocol) {
+  if (clears_clogs(protocol)) return PointStatus::cut_by_releases;
+  return protocol == UnclogProtocol::stop ? PointStatus::cut_by_stop : PointStatus::measured;
 }
 
 void add_exponent(TrendPoint& point, const RunGroup& group, const Totals& totals, const GroupStatistics& numbers) {
@@ -43,8 +50,7 @@ void add_exponent(TrendPoint& point, const RunGroup& group, const Totals& totals
     point.alpha = {alpha.quantity->counted(totals, level),
                    point.cut > 0 ? PointStatus::upper_bound : PointStatus::no_arrest};
   } else {
-    const bool by_release = group.scene.unclog.protocol == UnclogProtocol::release;
-    point.alpha = {widest(alpha, totals), by_release ? PointStatus::cut_by_releases : PointStatus::measured};
+    point.alpha = {widest(alpha, totals), status_of_arrests(group.scene.unclog.protocol)};
   }
 }
 
@@ -61,7 +67,8 @@ double logarithm_error(const Estimate& known) {
 }
 
 bool is_measured(const PointNumber& number) {
-  return number.status == PointStatus::measured && std::isfinite(number.known.low) && std::isfinite(number.known.high);
+  // A mean of first bursts may be 0, which has no logarithm.
+  return number.status == PointStatus::measured && number.known.low > 0 && std::isfinite(number.known.high);
 }
 
 std::vector<LinePoint> line_points(const std::vector<TrendPoint>& points, const Law& law) {
@@ -141,6 +148,8 @@ const char* name(PointStatus status) {
       return "upper bound";
     case PointStatus::cut_by_releases:
       return "cut by releases";
+    case PointStatus::cut_by_stop:
+      return "cut by the stop";
     case PointStatus::no_passage:
       return "no passage";
     case PointStatus::no_arrest:
@@ -168,7 +177,7 @@ Trend trend(const std::vector<RunGroup>& groups, const std::vector<GroupStatisti
     }
     for (const std::string& key : result.keys) point.values.push_back(key_value(groups[i].lines, key).text);
     const Totals totals = totals_of(groups[i].records, groups[i].scale);
-    add_mean_burst(point, totals, numbers[i]);
+    add_mean_burst(point, groups[i], totals, numbers[i]);
     add_exponent(point, groups[i], totals, numbers[i]);
     members[point.series].push_back(point);
     result.points.push_back(std::move(point));

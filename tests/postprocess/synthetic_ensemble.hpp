@@ -8,6 +8,7 @@
 
 #include "coupling/files/run_file.hpp"
 #include "coupling/scene/scene.hpp"
+#include "coupling/scene/unclog_protocol.hpp"
 #include "tests/postprocess/laws/samples.hpp"
 
 namespace clogflow::postprocess {
@@ -119,7 +120,8 @@ inline RunData synthetic_run(const SyntheticEnsemble& ensemble, std::uint64_t se
       next_snapshot += ensemble.snapshot_interval;
     }
   };
-  const bool by_release = ensemble.protocol == "release";
+  const bool by_release = clears_clogs(scene.unclog.protocol);
+  const double off = scene.unclog.protocol == UnclogProtocol::poke ? 0 : scene.unclog.duration;
   for (double t = 0.5 * tau; t < run.end_time;) {
     while (true) {
       add_passage(run, t, 0);
@@ -129,17 +131,23 @@ inline RunData synthetic_run(const SyntheticEnsemble& ensemble, std::uint64_t se
       snapshots_until(t + lapse, 1.0);
       t += lapse;
     }
+    if (scene.unclog.protocol == UnclogProtocol::stop && t + scene.unclog.after < run.end_time) {
+      run.end_time = t + scene.unclog.after;
+      run.record.clogged_at = run.end_time;
+      run.record.clog_position = random.uniform() < 0.1 ? -2e-4 : -2e-5;
+      break;
+    }
     const double arrest = 0.5 * tau * std::pow(1.0 - random.uniform(), -1.0 / (ensemble.alpha - 1.0));
     const double start = by_release ? t + scene.unclog.after + 0.1 * tau : t + arrest;
     snapshots_until(start, 0.0);
     t = start;
-    if (by_release && start + scene.unclog.duration < run.end_time) {
+    if (by_release && start + off < run.end_time) {
       run.releases.off.push_back(start);
-      run.releases.on.push_back(start + scene.unclog.duration);
+      run.releases.on.push_back(start + off);
       run.releases.largest_speed.push_back(1e-7);
       run.releases.position.push_back(0);
-      if (random.uniform() < 0.7) add_passage(run, start + 0.3 * scene.unclog.duration, 1);
-      t = start + scene.unclog.duration + 0.2 * tau;
+      if (random.uniform() < 0.7 && off > 0) add_passage(run, start + 0.3 * off, 1);
+      t = start + off + 0.2 * tau;
     }
   }
   add_series(run, 0.1 * tau, random);

@@ -1,12 +1,17 @@
 clog_tests(test_postprocess
   SOURCES
     postprocess/events/test_bursts.cpp
+    postprocess/events/test_first_burst.cpp
     postprocess/laws/test_censored.cpp
     postprocess/laws/test_confidence.cpp
     postprocess/laws/test_discrete_power_law.cpp
     postprocess/laws/test_geometric_law.cpp
+    postprocess/laws/test_hazard.cpp
     coupling/base/test_number_column.cpp
     postprocess/laws/test_power_law.cpp
+    postprocess/laws/test_sequences.cpp
+    postprocess/summary/test_burst_order.cpp
+    postprocess/summary/test_first_burst_statistics.cpp
     postprocess/summary/test_quantities.cpp
     postprocess/output/test_statistics_files.cpp
     postprocess/summary/test_stopping_rule.cpp

@@ -109,6 +109,8 @@ SeedRecord record_of_releases() {
   record.bursts = bursts_after_releases(released(), record.window, 4.0);
   record.passages = 8;
   record.releases = 3;
+  record.first_burst.size = 2;
+  record.first_burst.clogged = true;
   return record;
 }
 

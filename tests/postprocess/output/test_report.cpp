@@ -105,6 +105,28 @@ TEST_F(Report, without_any_passage_the_figures_say_so) {
   EXPECT_THAT(text_of(here_ / "report" / "series.svg"), HasSubstr("no time series in these runs"));
 }
 
+TEST_F(Report, first_bursts_of_one_group_of_many_and_without_a_clog) {
+  SyntheticEnsemble ensemble{.protocol = "stop", .mean_burst = 5, .end = 0.3, .snapshot_interval = 0, .more = {}};
+  make(write_ensemble(here_ / "runs" / "a", ensemble, 40));
+  EXPECT_THAT(text_of(here_ / "report" / "first_burst.svg"), HasSubstr("40 of 40 seeds clogged"));
+  EXPECT_THAT(page(), AllOf(HasSubstr("Passages until the first clog"), HasSubstr("solids near the neck at its end"),
+                            HasSubstr("first clogs more than a neck width upstream of the neck")));
+  ensemble.diameter = "22 um";
+  ensemble.mean_burst = 1e9;
+  ensemble.end = 0.05;
+  write_ensemble(here_ / "runs" / "b", ensemble, 2);
+  make(here_ / "runs");
+  EXPECT_THAT(text_of(here_ / "report" / "first_burst.svg"),
+              AllOf(HasSubstr("0 of 2 seeds clogged"), HasSubstr("40 of 40 seeds clogged")));
+  // Neither a passage nor a clog.
+  auto run = synthetic_run(ensemble, 1);
+  run.passages = {};
+  std::filesystem::create_directories(here_ / "silent");
+  write_run_file(run, here_ / "silent" / "run_0001.h5");
+  make(here_ / "silent");
+  EXPECT_THAT(text_of(here_ / "report" / "first_burst.svg"), HasSubstr("no passage and no clog in these runs"));
+}
+
 // Half a page, then killed: what was there stays, and nothing half lies under a final name.
 TEST_F(Report, a_script_that_is_killed_leaves_the_older_report) {
   std::filesystem::create_directories(here_ / "report");

@@ -98,6 +98,59 @@ TEST_F(StatisticsFiles, releases) {
   EXPECT_EQ(alpha["note"], "no arrest that a passage ended");
 }
 
+TEST_F(StatisticsFiles, restarts_and_pokes_are_releases) {
+  for (const char* protocol : {"restart", "poke"}) {
+    auto ensemble = short_runs_;
+    ensemble.protocol = protocol;
+    ensemble.end = 4;
+    const auto group = statistics_of({write_ensemble(here_ / protocol, ensemble, 6)})["groups"][0];
+    EXPECT_EQ(group["protocol"], protocol);
+    EXPECT_NEAR(number(group, "mean_burst"), 6, 1.2);
+    EXPECT_EQ(group["bursts"]["first"], 6);
+    EXPECT_GT(group["arrests"]["ended_by_release"].get<int>(), 200);
+    EXPECT_EQ(group["first_burst"]["clogged"], 6);
+    EXPECT_THAT(group["notes"].dump(), HasSubstr("clogs are ended by releases"));
+    const auto& order = group["burst_order"];
+    EXPECT_GT(order["bursts"].get<int>(), 200);
+    EXPECT_EQ(order["fifths"].size(), 5U);
+    EXPECT_NEAR(order["fifths"][4]["value"].get<double>(), 6, 3);
+    EXPECT_LT(order["memory"]["low"].get<double>(), order["memory"]["high"].get<double>());
+    EXPECT_EQ(order["depends"].get<bool>(),
+              std::min(order["memory"]["p_value"], order["trend"]["p_value"]).get<double>() < 0.05);
+  }
+}
+
+TEST_F(StatisticsFiles, first_bursts_of_runs_that_stop) {
+  auto ensemble = short_runs_;
+  ensemble.protocol = "stop";
+  ensemble.end = 0.045;  // a fifth of the seeds is cut
+  const auto all = statistics_of({write_ensemble(here_ / "runs", ensemble, 40)});
+  const auto& group = all["groups"][0];
+  EXPECT_EQ(group["protocol"], "stop");
+  const auto& first = group["first_burst"];
+  EXPECT_EQ(first["seeds"], 40);
+  EXPECT_EQ(first["clogged"].get<int>() + first["cut_off"].get<int>(), 40);
+  EXPECT_GT(first["cut_off"].get<int>(), 0);
+  // Sizes from 1 on with a mean of 6: from 0 on the hazard is 1/7.
+  EXPECT_NEAR(first["hazard"]["value"].get<double>(), 1.0 / 7, 0.06);
+  EXPECT_LT(first["hazard"]["low"].get<double>(), first["hazard"]["value"].get<double>());
+  EXPECT_NEAR(first["mean"]["value"].get<double>(), 6, 2.5);
+  EXPECT_LT(first["mean"]["low"].get<double>(), first["mean"]["value"].get<double>());
+  EXPECT_EQ(first["mean"]["restricted_to"].is_null() || first["mean"]["restricted_to"] == first["largest"], true);
+  EXPECT_THAT(first["geometric"]["verdict"].get<std::string>(), HasSubstr("(p"));
+  EXPECT_NEAR(first["packing_near_neck"]["flowing"]["value"].get<double>(), 0.47, 0.01);
+  EXPECT_NEAR(first["packing_near_neck"]["at_end"]["value"].get<double>(), 0.47, 0.02);
+  EXPECT_EQ(first["clog_places"]["known"], first["clogged"]);
+  EXPECT_GE(first["hazard_bins"].size(), 2U);
+  EXPECT_EQ(first["hazard_bins"][0]["from"], 0);
+  EXPECT_TRUE(group["burst_order"].is_null());
+  EXPECT_EQ(group["bursts"]["cut_off"], first["cut_off"]);
+  const auto& point = all["trend"]["points"][0];
+  EXPECT_EQ(point["mean_burst"]["stops"], first["clogged"]);
+  EXPECT_EQ(point["mean_burst"]["passages"], first["passages"]);
+  EXPECT_NEAR(point["mean_burst"]["value"].get<double>(), number(group, "first_burst_mean"), 1e-12);
+}
+
 TEST_F(StatisticsFiles, tables_carry_units) {
   statistics_of({write_ensemble(here_ / "runs", short_runs_, 2)});
   EXPECT_THAT(text("lapses.csv"), StartsWith("group,seed,start [s],T [s],T/tau [1],ended_by\n0,1,"));
@@ -106,6 +159,12 @@ TEST_F(StatisticsFiles, tables_carry_units) {
   EXPECT_THAT(text("burst_distribution.csv"),
               StartsWith("group,s_from [1],s_to [1],s/<s> [1],count,P [1],error [1]\n0,0.5,"));
   EXPECT_THAT(text("arrest_survival.csv"), StartsWith("group,T [s],T/tau [1],S [1],error [1],at_risk,ended\n0,"));
+  EXPECT_THAT(text("first_bursts.csv"),
+              StartsWith("group,seed,s [1],clogged,clog_position [m],packing_near_neck_flowing "
+                         "[1],packing_near_neck_at_end [1]\n0,1,"));
+  EXPECT_THAT(text("first_burst_survival.csv"), StartsWith("group,n [1],S [1],error [1],at_risk,ended\n"));
+  EXPECT_THAT(text("first_burst_hazard.csv"),
+              StartsWith("group,n_from [1],n_to [1],clogs,trials,hazard [1],low [1],high [1]\n0,0,"));
   EXPECT_EQ(json::parse(text("stats.json"))["units"]["tau"], "s");
 }
 

@@ -97,6 +97,19 @@ TEST(Stats, from_runs_to_report) {
   EXPECT_TRUE(std::filesystem::exists(out / "direct" / "stats.json"));
 }
 
+TEST(Stats, one_line_for_runs_that_stop_at_their_first_clog) {
+  const auto runs =
+      write_ensemble(temporary("clog_verbs_stop"),
+                     {.protocol = "stop", .mean_burst = 6, .end = 0.3, .snapshot_interval = 0, .more = {}}, 40);
+  const auto stats = clog({"stats", runs, "--out", temporary("clog_verbs_stop_stats"), "--p-value", "0"});
+  ASSERT_EQ(stats.status, 0) << stats.output;
+  EXPECT_THAT(
+      stats.output,
+      testing::MatchesRegex("D/d = 3.03: <s> = [0-9.]+ .[0-9., ]+. passages until the first clog, 40 seeds, 0 cut by "
+                            "the end; geometric law [a-z ]+.p . [0-9.]+.; packing near the neck 0.4.*"));
+  EXPECT_THAT(stats.output, HasSubstr("of 40 clogs stood more than a neck width upstream of the neck: not the neck's"));
+}
+
 TEST(Stats, a_link_that_leads_nowhere_is_named) {
   const std::filesystem::path folder = temporary("dangling");
   std::filesystem::create_directories(folder);
