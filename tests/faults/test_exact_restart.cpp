@@ -80,7 +80,11 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"NoFriction",
                          {"contact.friction.sliding=0", "contact.friction.rolling=0", "contact.friction.torsion=0",
                           "unclog.protocol=none"}},
-                    Case{"RarePorosity", {"porosity.update_interval=1 ms", "porosity.strips=5"}}),
+                    Case{"RarePorosity", {"porosity.update_interval=1 ms", "porosity.strips=5"}},
+                    Case{"Local", {"porosity.method=local", "porosity.update_interval=1 ms"}},
+                    Case{"LocalWithoutStrips", {"porosity.method=local", "porosity.strips=0", "drag.law=beetstra"}},
+                    Case{"NeckStrip", {"porosity.neck=true", "porosity.update_interval=1 ms"}},
+                    Case{"Mixture", {"drag.velocity=mixture", "drag.law=beetstra"}}),
     [](const auto& info) { return info.param.name; });
 
 TEST(ExactRestartScenes, TheChannelClogsAndIsReleased) {
