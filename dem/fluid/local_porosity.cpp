@@ -30,8 +30,9 @@ SmoothGrid grid_of(const ChannelSpace& space, double width) {
   return {low, high, width};
 }
 
-std::vector<double> volume_at_points(const Walls& walls, const SmoothGrid& grid) {
-  std::vector<double> volume(grid.size(), 0.0), heights(places * grid.cells(2));
+SmoothGrid::Values volume_at_points(const Walls& walls, const SmoothGrid& grid) {
+  SmoothGrid::Values volume(grid.size(), 0.0f);
+  std::vector<double> heights(places * grid.cells(2));
   const double dx = grid.spacing(0) / places, dy = grid.spacing(1) / places, dz = grid.spacing(2) / places;
   for (std::size_t k = 0; k < heights.size(); ++k) heights[k] = grid.low().z() + (static_cast<double>(k) + 0.5) * dz;
   for (int i = 0; i < places * grid.cells(0); ++i) {
@@ -49,21 +50,23 @@ std::vector<double> volume_at_points(const Walls& walls, const SmoothGrid& grid)
 }  // namespace
 
 LocalPorosity::LocalPorosity(const ChannelSpace& space, double width)
-    : grid_(grid_of(space, width)), space_(volume_at_points(space.walls, grid_)), porosity_(grid_.size(), 1.0) {
-  grid_.smooth(space_);
+    : grid_(grid_of(space, width)), per_space_(volume_at_points(space.walls, grid_)), porosity_(grid_.size(), 1.0f) {
+  grid_.smooth(per_space_);
+  for (float& volume : per_space_) volume = volume > 0 ? 1 / volume : 0;
 }
 
 void LocalPorosity::update(const Particles& p) {
-  std::vector<double> solid(grid_.size(), 0.0);
+  SmoothGrid::Values solid(grid_.size(), 0.0f);
   for (std::size_t i = 0; i < p.size(); ++i) grid_.add(solid, p[i].position(), sphere_volume(p[i].radius));
   grid_.smooth(solid);
-  for (std::size_t k = 0; k < solid.size(); ++k)
-    porosity_[k] = space_[k] > 0 ? std::max(least_porosity, 1 - solid[k] / space_[k]) : 1.0;
+  constexpr auto least = static_cast<float>(least_porosity);
+  for (std::size_t k = 0; k < solid.size(); ++k) porosity_[k] = std::max(least, 1 - solid[k] * per_space_[k]);
 }
 
 bool LocalPorosity::valid() const {
-  return porosity_.size() == space_.size() &&
-         std::ranges::all_of(porosity_, [](double eps) { return eps >= least_porosity && eps <= 1; });
+  constexpr auto least = static_cast<float>(least_porosity);
+  return porosity_.size() == per_space_.size() &&
+         std::ranges::all_of(porosity_, [](float eps) { return eps >= least && eps <= 1; });
 }
 
 }  // namespace clogflow

@@ -42,8 +42,8 @@ public:
 
 private:
   SmoothGrid grid_;
-  std::vector<double> space_;     // of the channel, as the grid sees it; what the spheres' volume is divided by [m3]
-  std::vector<double> porosity_;  // at the points [-]
+  SmoothGrid::Values per_space_;  // over the channel's volume, smoothed; 0 where no part of it is near [1/m3]
+  SmoothGrid::Values porosity_;   // at the points [-]
 };
 
 }  // namespace clogflow

@@ -17,7 +17,7 @@ constexpr double points_per_width = 2, widths_seen = 3;
 /// More than the memory of a core holds some of; a width with a wrong unit gets here.
 constexpr double most_points = 3e7;
 
-std::vector<double> taps(double spacing, double width) {
+std::vector<float> taps(double spacing, double width) {
   const double rest = std::sqrt(width * width - spacing * spacing / 3);
   std::vector<double> weights;
   double sum = 0;
@@ -25,8 +25,9 @@ std::vector<double> taps(double spacing, double width) {
     weights.push_back(gaussian_kernel(k * spacing, rest));
     sum += (k > 0 ? 2 : 1) * weights.back();
   }
-  for (double& weight : weights) weight /= sum;
-  return weights;
+  std::vector<float> shares;
+  for (const double weight : weights) shares.push_back(static_cast<float>(weight / sum));
+  return shares;
 }
 
 }  // namespace
@@ -60,13 +61,13 @@ SmoothGrid::Cell SmoothGrid::cell_of(const Vector<double>& place) const {
   return cell;
 }
 
-void SmoothGrid::add(std::vector<double>& values, const Vector<double>& place, double amount) const {
+void SmoothGrid::add(Values& values, const Vector<double>& place, double amount) const {
   const Cell cell = cell_of(place);
   const auto [x, y, z] = cell.share;
-  double* v = &values[cell.corner];
+  float* v = &values[cell.corner];
   const auto along_x = [&](std::size_t at, double part) {
-    v[at] += (1 - x) * part;
-    v[at + 1] += x * part;
+    v[at] += static_cast<float>((1 - x) * part);
+    v[at + 1] += static_cast<float>(x * part);
   };
   along_x(0, (1 - y) * (1 - z) * amount);
   along_x(stride_[1], y * (1 - z) * amount);
@@ -74,11 +75,14 @@ void SmoothGrid::add(std::vector<double>& values, const Vector<double>& place, d
   along_x(stride_[1] + stride_[2], y * z * amount);
 }
 
-double SmoothGrid::read(const std::vector<double>& values, const Vector<double>& place) const {
+double SmoothGrid::read(const Values& values, const Vector<double>& place) const {
   const Cell cell = cell_of(place);
   const auto [x, y, z] = cell.share;
-  const double* v = &values[cell.corner];
-  const auto along_x = [&](std::size_t at) { return v[at] + x * (v[at + 1] - v[at]); };
+  const float* v = &values[cell.corner];
+  const auto along_x = [&](std::size_t at) {
+    const double here = v[at];
+    return here + x * (v[at + 1] - here);
+  };
   const auto along_y = [&](std::size_t at) {
     const double here = along_x(at);
     return here + y * (along_x(at + stride_[1]) - here);
@@ -87,25 +91,25 @@ double SmoothGrid::read(const std::vector<double>& values, const Vector<double>&
   return here + z * (along_y(stride_[2]) - here);
 }
 
-void SmoothGrid::smooth_along(int axis, const std::vector<double>& from, std::vector<double>& to) const {
-  const std::vector<double>& tap = tap_[axis];
+void SmoothGrid::smooth_along(int axis, const Values& from, Values& to) const {
+  const std::vector<float>& tap = tap_[axis];
   const auto stride = static_cast<std::ptrdiff_t>(stride_[axis]);
   const std::ptrdiff_t count = cells_[axis] + 1, reach = std::min<std::ptrdiff_t>(tap.size(), count) - 1;
-  std::ranges::fill(to, 0.0);
+  std::ranges::fill(to, 0.0f);
   // Points whose neighbours a shift finds in the same line follow each other in memory, whatever the axis.
   for (std::size_t line = 0; line < size(); line += count * stride)
     for (std::ptrdiff_t shift = -reach; shift <= reach; ++shift) {
-      const double weight = tap[std::abs(shift)];
+      const float weight = tap[std::abs(shift)];
       const std::ptrdiff_t first = std::max<std::ptrdiff_t>(0, -shift) * stride;
       const std::ptrdiff_t number = (count - std::abs(shift)) * stride;
-      double* sum = &to[line + first];
-      const double* term = &from[line + first + shift * stride];
+      float* sum = &to[line + first];
+      const float* term = &from[line + first + shift * stride];
       for (std::ptrdiff_t k = 0; k < number; ++k) sum[k] += weight * term[k];
     }
 }
 
-void SmoothGrid::smooth(std::vector<double>& values) const {
-  std::vector<double> other(values.size());
+void SmoothGrid::smooth(Values& values) const {
+  Values other(values.size());
   for (int a = 0; a < 3; ++a) {
     smooth_along(a, values, other);
     std::swap(values, other);

@@ -28,12 +28,15 @@ public:
   int cells(int axis) const { return cells_[axis]; }
   double spacing(int axis) const { return 1 / per_length_[axis]; }
 
-  /// Values at the points, x fastest. Beyond the box its nearest face counts.
-  void add(std::vector<double>& values, const Vector<double>& place, double amount) const;
-  double read(const std::vector<double>& values, const Vector<double>& place) const;
+  /// Values at the points, x fastest; as V0 in single precision, which makes the smoothing twice as fast.
+  using Values = std::vector<float>;
+
+  /// Beyond the box its nearest face counts.
+  void add(Values& values, const Vector<double>& place, double amount) const;
+  double read(const Values& values, const Vector<double>& place) const;
 
   /// Nothing comes in from beyond the box.
-  void smooth(std::vector<double>& values) const;
+  void smooth(Values& values) const;
 
 private:
   struct Cell {
@@ -41,13 +44,13 @@ private:
     double share[3];  // of the farther points
   };
   Cell cell_of(const Vector<double>& place) const;
-  void smooth_along(int axis, const std::vector<double>& from, std::vector<double>& to) const;
+  void smooth_along(int axis, const Values& from, Values& to) const;
 
   Vec3 low_ = Vec3::Zero();
   std::array<int, 3> cells_{};
-  std::array<double, 3> per_length_{};      // [1/m]
-  std::array<std::size_t, 4> stride_{};     // of the points along x, y and z; then the number of all
-  std::array<std::vector<double>, 3> tap_;  // of the point itself, the next, ...
+  std::array<double, 3> per_length_{};     // [1/m]
+  std::array<std::size_t, 4> stride_{};    // of the points along x, y and z; then the number of all
+  std::array<std::vector<float>, 3> tap_;  // of the point itself, the next, ...
 };
 
 }  // namespace clogflow

@@ -14,8 +14,10 @@ clog_tests(test_against_scalar
   LIBRARIES clog_dem LABELS unit)
 clog_tests(test_dem_parts
   SOURCES dem/run/test_passages.cpp dem/run/test_clog_watch.cpp dem/state/test_initial_particles.cpp
-          dem/contact/test_stl.cpp dem/fluid/test_flow_field.cpp dem/fluid/test_local_porosity.cpp
-          dem/fluid/test_drag_readings.cpp
+          dem/contact/test_stl.cpp
+  LIBRARIES clog_dem LABELS unit)
+clog_tests(test_fluid_parts
+  SOURCES dem/fluid/test_flow_field.cpp dem/fluid/test_local_porosity.cpp dem/fluid/test_drag_readings.cpp
   LIBRARIES clog_dem LABELS unit)
 clog_tests(test_channel_parts
   SOURCES dem/run/test_inlet.cpp dem/run/test_refusals.cpp dem/stability/test_shaking.cpp dem/stability/test_step_limit.cpp

@@ -5,6 +5,7 @@
 
 #include "coupling/geometry/channel_shape.hpp"
 #include "dem/fluid/fluid.hpp"
+#include "dem/stability/pack_estimates.hpp"
 #include "tests/dem/channel_scene.hpp"
 
 namespace clogflow::test {

@@ -98,8 +98,10 @@ TEST(LocalPorosity, OfALoneSphereIsItsOwn) {
     const Vector<double> at{-4 + moved, moved, 3 - moved};
     add_sphere(p, at, 0.5);
     local.update(p);
-    // The grid's share: its points stand half a width apart.
-    EXPECT_NEAR((1 - local.at(at)) / own_solid_fraction(1, 1), 1, 0.05) << moved;
+    // On a point of the grid (all three moved by 0 or 0.5) the kernel is narrower than on average over a cell, between
+    // points wider: (1 - 1/12)^(-3/2) = 1.14 and (1 - 1/12 + 1/8)^(-3/2) = 0.94 by the variances of SmoothGrid.
+    EXPECT_GT((1 - local.at(at)) / own_solid_fraction(1, 1), 0.93) << moved;
+    EXPECT_LT((1 - local.at(at)) / own_solid_fraction(1, 1), 1.15) << moved;
     EXPECT_EQ(local.at({-9, 0, 0}), 1);
   }
 }
@@ -110,7 +112,7 @@ TEST(LocalPorosity, OfASphereAtAWallIsDividedByWhatTheKernelSees) {
   add_sphere(p, {-4, 0, 0.5}, 0.5);
   local.update(p);
   // Half a width from the wall the kernel has 0.69146 of its weight in the channel.
-  EXPECT_NEAR((1 - local.at({-4, 0, 0.5})) / (own_solid_fraction(1, 1) / 0.69146), 1, 0.06);
+  EXPECT_NEAR((1 - local.at({-4, 0, 0.5})) / (own_solid_fraction(1, 1) / 0.69146), 1, 0.15);
 }
 
 TEST(LocalPorosity, DoesNotFlipWhenASphereCrossesACell) {
@@ -121,7 +123,7 @@ TEST(LocalPorosity, DoesNotFlipWhenASphereCrossesACell) {
     local.update(p);
     return local.at({x, 0, 3});
   };
-  for (const double edge : {-4.0, -3.5, -3.0}) EXPECT_NEAR(seen(edge - 1e-9), seen(edge + 1e-9), 1e-9);
+  for (const double edge : {-4.0, -3.5, -3.0}) EXPECT_NEAR(seen(edge - 1e-9), seen(edge + 1e-9), 2e-7);
 }
 
 TEST(LocalPorosity, NeverFallsBelowWhatADragLawKnows) {
@@ -129,7 +131,7 @@ TEST(LocalPorosity, NeverFallsBelowWhatADragLawKnows) {
   Particles p;
   for (int k = 0; k < 9; ++k) add_sphere(p, {-4, 0, 3}, 0.5);
   local.update(p);
-  EXPECT_EQ(local.at({-4, 0, 3}), least_porosity);
+  EXPECT_EQ(local.at({-4, 0, 3}), static_cast<float>(least_porosity));
   EXPECT_TRUE(local.valid());
 }
 
