@@ -71,7 +71,8 @@ TEST(LocalPorosity, OfALatticeIsUniformUpToTheWalls) {
   local.update(lattice(duct(), 1, 0.4));
   // 4/3 pi 0.4^3 in each cube of side 1.
   const double expected = 1 - 0.2680826;
-  EXPECT_NEAR(local.at({-3, 0, 3}), expected, 1e-4);
+  // The channel's own volume is looked up at places, which leaves out a thousandth.
+  EXPECT_NEAR(local.at({-3, 0, 3}), expected, 1e-3 * 0.268);
   // Half a spacing from a wall the lattice stops as a sum stops short of an integral: by less than 2 % of the solid.
   const Vector<double> near_walls[] = {{-3, 3.6, 3}, {-3, 0, 0.4}, {-3, -3.6, 5.6}, {-9.6, -3.6, 0.4}, {3.6, 3.6, 5.6}};
   for (const Vector<double>& at : near_walls) EXPECT_NEAR(local.at(at), expected, 0.02 * 0.268) << at.x << " " << at.y;
@@ -79,7 +80,8 @@ TEST(LocalPorosity, OfALatticeIsUniformUpToTheWalls) {
 
 TEST(LocalPorosity, KnowsTheSpaceBetweenSlantedWalls) {
   // The paper's channel: a fine lattice of points, whatever the walls cut off it.
-  const Geometry g = short_channel_scene().geometry;
+  Geometry g = short_channel_scene().geometry;
+  g.channel_length = 300e-6 - narrowing_length(g);  // a whole number of spacings
   LocalPorosity local = local_in(g, 50e-6);
   const double spacing = 5e-6, radius = 2e-6;
   local.update(lattice(g, spacing, radius));
@@ -99,9 +101,10 @@ TEST(LocalPorosity, OfALoneSphereIsItsOwn) {
     add_sphere(p, at, 0.5);
     local.update(p);
     // On a point of the grid (all three moved by 0 or 0.5) the kernel is narrower than on average over a cell, between
-    // points wider: (1 - 1/12)^(-3/2) = 1.14 and (1 - 1/12 + 1/8)^(-3/2) = 0.94 by the variances of SmoothGrid.
+    // points wider: (1 - 1/12)^(-3/2) = 1.14 and (1 - 1/12 + 1/8)^(-3/2) = 0.94 by the
+    // variances of SmoothGrid; and what is cut off beyond three widths is 1 % more.
     EXPECT_GT((1 - local.at(at)) / own_solid_fraction(1, 1), 0.93) << moved;
-    EXPECT_LT((1 - local.at(at)) / own_solid_fraction(1, 1), 1.15) << moved;
+    EXPECT_LT((1 - local.at(at)) / own_solid_fraction(1, 1), 1.17) << moved;
     EXPECT_EQ(local.at({-9, 0, 0}), 1);
   }
 }
@@ -158,8 +161,8 @@ TEST(LocalPorosity, DecidesTheDragOfAParticle) {
     EXPECT_NEAR(fluid.drag_force(i, {0, 0, 0}).y / (f * stokes * 2 / eps), 1, 1e-12);
   }
   EXPECT_LT(fluid.local().at(p[0].position()), 0.7);
-  // pi/6 0.2^3 / (2 pi 0.5^2)^1.5 = 0.0021
-  EXPECT_NEAR(fluid.local().at(p[1].position()), 1 - 0.0021277, 1e-4);
+  // pi/6 0.2^3 / (2 pi 0.5^2)^1.5, on a point of the grid 1.16 times that
+  EXPECT_NEAR(fluid.local().at(p[1].position()), 1 - 1.155 * 0.0021277, 2e-5);
 }
 
 TEST(LocalPorosity, WorksWithoutStripsAndInAChannelFromAFile) {
