@@ -148,7 +148,15 @@ void check_starts_and_clogs(const SceneDraft& draft) {
   check_goes_with(draft, "unclog.strain", restarts, "unclog.protocol = \"restart\"");
   check_goes_with(draft, "unclog.region", releases || restarts || s.unclog.region == 0,
                   "unclog.protocol = \"release\" or \"restart\"");
-  check_goes_with(draft, "porosity.width", s.porosity.method == PorosityMethod::local, "porosity.method = \"local\"");
+  const bool local = s.porosity.method == PorosityMethod::local;
+  check_goes_with(draft, "porosity.width", local, "porosity.method = \"local\"");
+  // A sphere alone would fill more than its own place: pi/6 d^3 / (2 pi s^2)^(3/2) = 0.27 at s = d/2, 0.99 at 0.32 d.
+  require(!local || s.porosity.width >= s.particles.diameter / 2,
+          "{} (must be at least half of particles.diameter = {}, or a sphere sees little but itself)",
+          draft.says("porosity.width"), metres(s.particles.diameter));
+  require(!s.porosity.neck || (!local && s.porosity.strips > 0),
+          "{} (is one more strip: needs porosity.method = \"strips\" and porosity.strips > 0)",
+          draft.says("porosity.neck"));
   const bool moved = s.drag.fluctuation.strength > 0 || s.flow.pulsation.strength > 0;
   require(protocol != UnclogProtocol::stop || !moved,
           "{} (no clog is permanent under drag.fluctuation or flow.pulsation: choose \"none\")",

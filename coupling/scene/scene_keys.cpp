@@ -133,7 +133,7 @@ std::vector<Key> make_keys() {
 
       SWITCH(drag.enabled, "default true when the section is present"),
       LAW(drag.law, "drag in a pack over that of a lone sphere: van der Hoef et al. at Re = 0, none, or Beetstra et al. with the slip's Reynolds number; default hoef", "hoef", "stokes", "beetstra"),
-      WORD(drag.velocity, "whose rate the flow keeps: the liquid's (f multiplies V0/porosity - u, as in the paper), the same without the pressure gradient's share, or the mixture's ((V0 - u)/porosity)", "interstitial", "superficial", "mixture"),
+      WORD(drag.velocity, "whose rate the flow keeps: the liquid's (f multiplies V0/porosity - u, as in the paper), the same without the pressure gradient's share (1 - porosity of the force on a pack at rest), or the mixture's ((V0 - u)/porosity)", "interstitial", "superficial", "mixture"),
       SWITCH(drag.viscous_torque, "default false"),
       NUMBER(drag.fluctuation.strength, number, non_negative, "standard deviation over mean drag; default 0: off"),
       NUMBER(drag.fluctuation.time, time, positive, "its correlation time"),

@@ -9,9 +9,10 @@ namespace clogflow {
 
 const DragLaw& drag_law(const Scene& scene) { return find_drag_law(scene.drag.law); }
 
-Fluid::Fluid(const Scene& scene, FlowField field, PorosityStrips strips)
+Fluid::Fluid(const Scene& scene, FlowField field, PorosityStrips strips, LocalPorosity local)
     : field_(std::move(field)),
       strips_(std::move(strips)),
+      local_(std::move(local)),
       noise_(scene),
       law_(drag_law(scene)),
       viscosity_(scene.fluid.viscosity),
@@ -33,47 +34,59 @@ double Fluid::weight(double porosity) const {
   return 1;
 }
 
+double Fluid::porosity_at(const ParticleState& particle) const {
+  if (!local_.empty()) return local_.at(particle.position());
+  return strips_.empty() ? 1 : strips_.porosity()[strips_.strip_at(particle.x)];
+}
+
 void Fluid::evaluate(Particles& p) {
   if (!drag_) return;
+  for (auto* values : {&ux_, &uy_, &uz_, &coefficient_}) values->resize(p.size());
+  sample(p);
+  if (!local_.empty()) add_surroundings(p);
+  if (law_.knows_slip) add_slip(p);
+  if (noise_.fluctuates()) add_fluctuation(p);
+  if (viscous_torque_) add_vorticity(p);
+}
+
+void Fluid::sample(Particles& p) {
   const double pulse = noise_.pulsation();
   // Per strip: the velocity over V0, pulsating, and the coefficient.
-  const std::size_t strips = strips_.empty() ? 1 : strips_.porosity().size();
-  std::vector<double> speed_up(strips, pulse), factor(strips, 1.0);
-  for (std::size_t k = 0; k < strips_.porosity().size(); ++k) {
+  const bool by_strip = local_.empty() && !strips_.empty();
+  const std::size_t strips = by_strip ? strips_.porosity().size() : 1;
+  std::vector<double> speed(strips, pulse), factor(strips, 1.0);
+  for (std::size_t k = 0; by_strip && k < strips; ++k) {
     const double porosity = strips_.porosity()[k];
-    speed_up[k] = reading_ == DragVelocity::mixture ? pulse : pulse / porosity;
+    speed[k] = speed_between(porosity, pulse);
     factor[k] = law_.slow_factor(porosity) * weight(porosity);
   }
   for (double& share : factor) share *= stokes_coefficient(viscosity_, 2);  // per radius
-  for (auto* values : {&ux_, &uy_, &uz_, &coefficient_}) values->resize(p.size());
-  const StripPlace strip = strips_.place();
-  FlowTask task{pointers(p),
-                nullptr,
-                {},
-                0,
-                {},
-                strip.start,
-                strip.per_length,
-                strip.last,
-                speed_up.data(),
-                factor.data(),
-                ux_.data(),
-                uy_.data(),
-                uz_.data(),
-                coefficient_.data()};
+  const StripPlace strip = strip_place();
+  FlowTask task{pointers(p),   nullptr,          {},         0,          {},
+                strip.start,   strip.per_length, strip.last, strip.neck, speed.data(),
+                factor.data(), ux_.data(),       uy_.data(), uz_.data(), coefficient_.data()};
   if (field_.set_nearest(task)) {
     kernels_.sample_nearest(task);
-  } else {
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      const int k = strip.strip_at(p[i].x);
-      const auto u = field_.at(p[i].x, p[i].y, p[i].z);
-      ux_[i] = speed_up[k] * u[0], uy_[i] = speed_up[k] * u[1], uz_[i] = speed_up[k] * u[2];
-      coefficient_[i] = factor[k] * p[i].radius;
-    }
+    return;
   }
-  if (law_.knows_slip) add_slip(p);
-  if (noise_.fluctuates()) add_fluctuation(p);
-  if (!viscous_torque_) return;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const int k = strip.strip_at(p[i].x);
+    const auto u = field_.at(p[i].x, p[i].y, p[i].z);
+    ux_[i] = speed[k] * u[0], uy_[i] = speed[k] * u[1], uz_[i] = speed[k] * u[2];
+    coefficient_[i] = factor[k] * p[i].radius;
+  }
+}
+
+void Fluid::add_surroundings(const Particles& p) {
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const double porosity = local_.at(p[i].position()), faster = speed_between(porosity, 1);
+    ux_[i] *= faster, uy_[i] *= faster, uz_[i] *= faster;
+    coefficient_[i] *= law_.slow_factor(porosity) * weight(porosity);
+  }
+}
+
+void Fluid::add_vorticity(const Particles& p) {
+  const double pulse = noise_.pulsation();
   for (auto* values : {&turn_, &sx_, &sy_, &sz_}) values->resize(p.size());
   for (std::size_t i = 0; i < p.size(); ++i) {
     const auto spin = field_.half_vorticity(p[i].x, p[i].y, p[i].z);
@@ -83,9 +96,8 @@ void Fluid::evaluate(Particles& p) {
 }
 
 void Fluid::add_slip(const Particles& p) {
-  const StripPlace strip = strips_.place();
   for (std::size_t i = 0; i < p.size(); ++i) {
-    const double porosity = strips_.empty() ? 1 : strips_.porosity()[strip.strip_at(p[i].x)];
+    const double porosity = porosity_at(p[i]);
     const Vector<double> slip = Vector<double>{ux_[i], uy_[i], uz_[i]} - p[i].velocity();
     // V0 - v is the superficial slip of a mixture already.
     const double share = reading_ == DragVelocity::mixture ? 1 : porosity;

@@ -6,6 +6,7 @@
 #include "coupling/scene/scene.hpp"
 #include "dem/fluid/flow_field.hpp"
 #include "dem/fluid/fluid_noise.hpp"
+#include "dem/fluid/local_porosity.hpp"
 #include "dem/fluid/porosity_strips.hpp"
 #include "dem/kernels/kernels.hpp"
 #include "dem/physics/drag_law.hpp"
@@ -25,13 +26,16 @@ const DragLaw& drag_law(const Scene& scene);
 ///   mixture       liquid and particles together keep it, V0 = eps u + (1 - eps) v_i: F_i = (c_i / eps) (V0 - v_i);
 ///                 at rest the paper's force
 /// Published as the total fluid force: no separate pressure gradient force.
+/// eps is that of the particle's strip or, if there is a local porosity, that of its place; the strips are then
+/// recorded only.
 class Fluid {
 public:
-  Fluid(const Scene& scene, FlowField field, PorosityStrips strips);
+  Fluid(const Scene& scene, FlowField field, PorosityStrips strips, LocalPorosity local = {});
 
   /// Measures the porosity anew.
   void update_porosity(const Particles& particles) {
     if (!strips_.empty()) strips_.update(particles);
+    if (!local_.empty()) local_.update(particles);
   }
 
   /// Takes the random factors on the flow to the time given; costs nothing without any.
@@ -55,28 +59,46 @@ public:
 
   const FlowField& field() const { return field_; }
   const PorosityStrips& strips() const { return strips_; }
+  const LocalPorosity& local() const { return local_; }
   const FluidNoise& noise() const { return noise_; }
 
   template <class Archive>
   void exchange(Archive& archive) {
     archive(strips_, noise_);
+    if (!local_.empty()) archive(local_);
   }
 
 private:
+  /// Velocity and drag as they are in the particle's strip.
+  void sample(Particles& particles);
+
+  /// Velocity and drag from those of a lone sphere to those of the particle's surroundings.
+  void add_surroundings(const Particles& particles);
+
   void add_fluctuation(const Particles& particles);
+  void add_vorticity(const Particles& particles);
 
   /// Coefficients anew, by each particle's slip.
   void add_slip(const Particles& particles);
 
+  /// `speed` where nothing stands in the way, at a porosity.
+  double speed_between(double porosity, double speed) const {
+    return reading_ == DragVelocity::mixture ? speed : speed / porosity;
+  }
+
+  /// Factor on the drag coefficient at a porosity.
+  double weight(double porosity) const;
+
+  StripPlace strip_place() const { return local_.empty() ? strips_.place() : StripPlace{}; }
+  double porosity_at(const ParticleState& particle) const;
+
   FlowField field_;
   PorosityStrips strips_;
+  LocalPorosity local_;
   FluidNoise noise_;
   const DragLaw& law_;
   double viscosity_, density_;
   const Kernels& kernels_;
-  /// Factor on the drag coefficient at a porosity.
-  double weight(double porosity) const;
-
   DragVelocity reading_;
   bool drag_, viscous_torque_;
   std::vector<double> ux_, uy_, uz_, coefficient_;

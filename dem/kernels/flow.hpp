@@ -20,8 +20,8 @@ struct Whole {
 [[gnu::always_inline]] inline void sample_some(const FlowTask& task, std::size_t i, int used) {
   const ParticlePointers& p = task.particles;
   const Columns place = load_row(p, 0, i, used);
-  const Whole strip(
-      place_within((place.c[0] - Lanes(task.strip_start)) * Lanes(task.strips_per_length), task.last_strip));
+  const Whole strip(strip_number((place.c[0] - Lanes(task.strip_start)) * Lanes(task.strips_per_length),
+                                 task.last_strip, place.c[0], task.neck));
   const auto nearest = [&](int a) {
     const Lanes along = (place.c[a] - Lanes(task.origin[a])) * Lanes(task.points_per_length);
     return Whole(nearest_point(along, task.points[a] - 1.0));

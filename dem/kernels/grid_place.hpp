@@ -22,6 +22,14 @@ template <class Real>
   return place_within(place + Real(0.5), last);
 }
 
+/// Number of the strip that x is in: of strips of equal length the one of `place`, and one more from `neck` on.
+/// \param place  as above, of x [-];  \param last  number of the last strip of equal length [-]
+/// \param neck   infinite where there is no such strip [m]
+template <class Real>
+[[gnu::always_inline]] inline Real strip_number(Real place, double last, Real x, double neck) {
+  return place_within(place, last) + select(x >= Real(neck), Real(1.0), Real(0.0));
+}
+
 /// Number of the cell, of `count`, that a place is in. A conversion alone is undefined for what no int
 /// can hold, and a particle in free flight may be anywhere.
 inline int cell_number(double place, int count) { return static_cast<int>(place_within(place, count - 1.0)); }

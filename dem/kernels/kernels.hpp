@@ -105,6 +105,7 @@ struct FlowTask {
   double origin[3], points_per_length;  ///< [m], [1/m]
   int points[3];
   double strip_start, strips_per_length, last_strip;  ///< [m], [1/m]
+  double neck;                                        ///< from this x on the strip after the last counts [m]
   const double* speed_up;                             ///< of each strip: 1 / eps
   const double* drag_per_radius;                      ///< of each strip [N s/m2]
   double *ux, *uy, *uz, *drag;                        ///< [m/s], [N s/m]

@@ -96,6 +96,27 @@ void judge_fluid(const Scene& s, const Judge& term) {
   }
 }
 
+void judge_drag(const Scene& s, Plan& plan) {
+  if (!s.drag.enabled) return;
+  switch (s.drag.velocity) {
+    case DragVelocity::interstitial:
+      plan.drag_note = "drag.velocity = \"interstitial\": the liquid keeps the flow's rate, F = c (V0/eps - u)";
+      break;
+    case DragVelocity::mixture:
+      plan.drag_note =
+          "drag.velocity = \"mixture\": liquid and particles together keep the flow's rate, F = c (V0 - u)/eps";
+      break;
+    case DragVelocity::superficial:
+      plan.drag_note = "drag.velocity = \"superficial\": the liquid keeps the flow's rate, F = c eps (V0/eps - u)";
+      plan.drag_gap = fmt::format(
+          "drag.velocity = \"superficial\" leaves out the mean pressure gradient's share: on a pack at rest about "
+          "{:.2g} "
+          "of the total force, which \"interstitial\" and \"mixture\" have",
+          1 - pack_porosity);
+      break;
+  }
+}
+
 void judge_contacts(const Scene& s, const Model& model, const Judge& term) {
   const double v = s.flow.mean_velocity, d = s.particles.diameter;
   if (v > 0) {
@@ -193,6 +214,7 @@ Plan make_plan(const Scene& scene) {
   judge_fluid(scene, Judge{plan});
   judge_contacts(scene, model, Judge{plan});
   judge_adhesion(scene, plan);
+  judge_drag(scene, plan);
   plan.contact = scene.contact;
   find_limits(scene, model, plan);
   estimate_cost(scene, model, plan);
@@ -218,6 +240,7 @@ std::vector<std::string> warnings(const Plan& plan) {
       lines.push_back(
           fmt::format("{} = {:.3g} (too soft below 30): {}", t.number, t.value, overlap_remedy(plan.contact)));
   }
+  if (!plan.drag_gap.empty()) lines.push_back(plan.drag_gap);
   if (!plan.law_note.empty()) lines.push_back(plan.law_note);
   if (!plan.layers_note.empty()) lines.push_back(plan.layers_note);
   if (plan.dt > plan.limits.smallest())

@@ -31,6 +31,8 @@ struct Plan {
   double instructions = 0;   ///< of one seed
   double grid_reach = 0;     ///< how far the neck is felt upstream of the narrowing [m]
   Scene::Contact contact;    ///< what the warnings advise on
+  std::string drag_note;     ///< what the scene's drag.velocity means, or empty
+  std::string drag_gap;      ///< what it leaves out, or empty
   std::string law_note;      ///< on a law of adhesion that another would replace, or empty
   std::string layers_note;   ///< on layers of spheres that just fit, or empty
   std::string walls_note;    ///< on walls from a file, or empty

@@ -143,6 +143,27 @@ Model make_model(const Scene& scene, const FlowGrid* flow, const std::vector<Par
   return model;
 }
 
+namespace {
+
+PorosityStrips make_strips(const Scene& scene) {
+  const auto& g = scene.geometry;
+  const double start = channel_start(g), step = -start / scene.porosity.strips;
+  std::vector<double> volumes;
+  for (int k = 0; k < scene.porosity.strips; ++k)
+    volumes.push_back(channel_volume(g, start + k * step, start + (k + 1) * step));
+  PorosityStrips strips(start, 0, volumes, overlap_remedy(scene.contact, ", "));
+  if (scene.porosity.neck) strips.add_neck(g.neck_length, channel_volume(g, 0, g.neck_length));
+  return strips;
+}
+
+LocalPorosity make_local(const Scene& scene, const FlowGrid* flow) {
+  const auto& g = scene.geometry;
+  std::string said_already;
+  return {{open_channel(scene, flow, said_already), channel_start(g), channel_end(g)}, scene.porosity.width};
+}
+
+}  // namespace
+
 Fluid make_fluid(const Scene& scene, const FlowGrid* flow) {
   FlowField field;
   if (scene.flow.source == FlowSource::uniform) field = FlowField(scene.flow.velocity);
@@ -151,14 +172,12 @@ Fluid make_fluid(const Scene& scene, const FlowGrid* flow) {
     field = FlowField(*flow, scene.flow.lookup);
   }
   PorosityStrips strips;
-  if (scene.porosity.strips > 0 && scene.geometry.present) {
-    const double start = channel_start(scene.geometry), step = -start / scene.porosity.strips;
-    std::vector<double> volumes;
-    for (int k = 0; k < scene.porosity.strips; ++k)
-      volumes.push_back(channel_volume(scene.geometry, start + k * step, start + (k + 1) * step));
-    strips = PorosityStrips(start, 0, volumes, overlap_remedy(scene.contact, ", "));
+  LocalPorosity local;
+  if (scene.geometry.present) {
+    if (scene.porosity.strips > 0) strips = make_strips(scene);
+    if (scene.porosity.method == PorosityMethod::local) local = make_local(scene, flow);
   }
-  return {scene, std::move(field), std::move(strips)};
+  return {scene, std::move(field), std::move(strips), std::move(local)};
 }
 
 }  // namespace clogflow

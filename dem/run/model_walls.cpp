@@ -101,6 +101,15 @@ void count_at(Model& model, double plane) {
 
 bool is_channel(const Scene& s) { return s.geometry.present && (s.geometry.stl.empty() || is_stl_channel(s.geometry)); }
 
+Walls open_channel(const Scene& s, const FlowGrid* flow, std::string& note) {
+  // A flow serves channels of other lengths; walls from a file lie in it, whatever became of the file.
+  if (!is_stl_channel(s.geometry)) return channel_walls(s.geometry);
+  if (flow) return flow->walls;
+  const auto measured = read_stl_channel(s.geometry);
+  note = measured->note;
+  return measured->walls;
+}
+
 void build_walls(Model& model, const FlowGrid* flow) {
   const Scene& s = model.scene;
   if (s.box.present) {
@@ -110,17 +119,7 @@ void build_walls(Model& model, const FlowGrid* flow) {
   }
   if (!s.geometry.present) return;
   if (is_channel(s)) {
-    Walls channel;
-    // A flow serves channels of other lengths; walls from a file lie in it, whatever became of the file.
-    if (!is_stl_channel(s.geometry)) {
-      channel = channel_walls(s.geometry);
-    } else if (flow) {
-      channel = flow->walls;
-    } else {
-      const auto measured = read_stl_channel(s.geometry);
-      channel = measured->walls;
-      model.walls_note = measured->note;
-    }
+    const Walls channel = open_channel(s, flow, model.walls_note);
     model.walls.insert(model.walls.end(), channel.begin(), channel.end());
     const Walls end = cross_wall(channel_start(s.geometry), s.geometry.channel_width, s.geometry.neck_height, 1);
     model.walls.insert(model.walls.end(), end.begin(), end.end());

@@ -78,7 +78,7 @@ void Recorder::sample_series(RunState& state) {
   if (series.time.empty()) state.energy.brought = kinetic + elastic;
   series.time.push_back(state.time());
   series.count.push_back(static_cast<std::int64_t>(p.size()));
-  series.porosity.push_back(state.fluid.strips().porosity());
+  series.porosity.push_back(state.fluid.strips().upstream_porosity());
   series.packing_fraction.push_back(state.fluid.strips().packing_fraction());
   series.kinetic_energy.push_back(kinetic);
   series.elastic_energy.push_back(elastic);

@@ -43,7 +43,7 @@ void RunState::place_walls() {
 const char* RunState::damaged_part() const {
   if (!particles.valid(model.largest_radius)) return "particles";
   if (!lists.valid(count())) return "contacts";
-  if (!fluid.strips().valid()) return "porosity";
+  if (!fluid.strips().valid() || !fluid.local().valid()) return "porosity";
   if (!fluid.noise().valid()) return "random factors on the flow";
   if (!inlet.valid()) return "inlet";
   if (!finite_from_zero(next_insertion, next_porosity, particle_steps) || !energy.valid() || !computing_time.valid())

@@ -29,7 +29,14 @@ double smallest_radius(const Scene& scene, const std::vector<Particle>& initial)
   return radius;
 }
 
-double voidage(const Scene& s) { return s.porosity.strips > 0 ? drag_law(s).slow_factor(pack_porosity) : 1.0; }
+bool knows_porosity(const Scene& s) { return s.porosity.strips > 0 || s.porosity.method == PorosityMethod::local; }
+
+double voidage(const Scene& s) { return knows_porosity(s) ? drag_law(s).slow_factor(pack_porosity) : 1.0; }
+
+/// Of the flow between the particles over V0, and of the drag's coefficient the same in a mixture, which keeps V0.
+double narrowed(const Scene& s) { return knows_porosity(s) ? 1 / pack_porosity : 1.0; }
+
+bool is_mixture(const Scene& s) { return s.drag.velocity == DragVelocity::mixture; }
 
 double expected_overlap(const StepScene& asked, const Particle& sphere, const std::vector<Particle>& initial) {
   const Scene& s = asked.scene;
@@ -39,8 +46,8 @@ double expected_overlap(const StepScene& asked, const Particle& sphere, const st
   const auto& f = s.body_force;
   double load = arch_load * Vec3(f.data()).norm();
   if (s.drag.enabled)
-    load += arch_load * voidage(s) * stokes_coefficient(s.fluid.viscosity, d) * v /
-            (s.porosity.strips > 0 ? pack_porosity : 1);
+    load +=
+        arch_load * voidage(s) * stokes_coefficient(s.fluid.viscosity, d) * v / (knows_porosity(s) ? pack_porosity : 1);
   return std::max(asked.laws.pair.impact_overlap(sphere.mass / 2, impact, d / 4),
                   asked.laws.pair.overlap_at(load, d / 4));
 }
@@ -65,7 +72,7 @@ double fastest_way(const Scene& s, const std::vector<Particle>& initial) {
   double speed = 0;
   for (const Particle& p : initial) speed = std::max(speed, p.velocity().norm());
   if (!s.drag.enabled) return speed;
-  const double f = s.porosity.strips > 0 ? 1 / pack_porosity : 1;
+  const double f = is_mixture(s) ? 1 : narrowed(s);
   const bool channel = s.geometry.present && s.flow.mean_velocity > 0;
   return std::max(speed, f * (channel ? neck_mean_velocity(s.geometry, s.flow.mean_velocity) : s.flow_speed()));
 }
@@ -106,7 +113,8 @@ StepLimits expected_limits(const StepScene& asked, const std::vector<Particle>& 
   limits.drag = limits.lubrication = limits.contacts = infinite;
   limits.passing = d / fastest_way(s, initial);
   if (s.drag.enabled && s.time.integrator == Integrator::verlet)
-    limits.drag = stable_step(0, voidage(s) * stokes_coefficient(s.fluid.viscosity, d) / sphere.mass);
+    limits.drag = stable_step(
+        0, (is_mixture(s) ? narrowed(s) : 1) * voidage(s) * stokes_coefficient(s.fluid.viscosity, d) / sphere.mass);
   if (asked.laws.film.viscosity > 0 && s.time.integrator != Integrator::implicit_fluid) {
     const auto& film = asked.laws.film;
     limits.lubrication = stable_step(0, 2 * lubrication_coefficient(film.viscosity, d / 4, film.nearest) / sphere.mass);

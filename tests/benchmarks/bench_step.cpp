@@ -119,7 +119,7 @@ void drag_lookup(benchmark::State& state) {
   const std::vector<float> velocity(3 * 640 * 160 * 40, 1e-3f);
   const double one = 1;
   std::vector<double> ux(particles.size()), uy(ux), uz(ux), drag(ux);
-  FlowTask task{pointers(particles), velocity.data(), {0, 0, 0}, 1 / 2.5e-6, {640, 160, 40}, 0, 1, 0, &one, &one,
+  FlowTask task{pointers(particles), velocity.data(), {0, 0, 0}, 1 / 2.5e-6, {640, 160, 40}, 0, 1, 0, 1e300, &one, &one,
                 ux.data(),           uy.data(),       uz.data(), drag.data()};
   for (auto _ : state) select_kernels().sample_nearest(task);
   count(state, particles.size());

@@ -13,13 +13,16 @@ clog_tests(test_against_scalar
   SOURCES dem/kernels/test_against_scalar.cpp
   LIBRARIES clog_dem LABELS unit)
 clog_tests(test_dem_parts
-  SOURCES dem/run/test_passages.cpp dem/run/test_clog_watch.cpp dem/state/test_initial_particles.cpp
-          dem/contact/test_stl.cpp dem/fluid/test_flow_field.cpp
+  SOURCES dem/run/test_passages.cpp dem/protocol/test_clog_watch.cpp dem/state/test_initial_particles.cpp
+          dem/contact/test_stl.cpp
+  LIBRARIES clog_dem LABELS unit)
+clog_tests(test_fluid_parts
+  SOURCES dem/fluid/test_flow_field.cpp dem/fluid/test_local_porosity.cpp dem/fluid/test_drag_readings.cpp
   LIBRARIES clog_dem LABELS unit)
 clog_tests(test_channel_parts
   SOURCES dem/run/test_inlet.cpp dem/run/test_refusals.cpp dem/stability/test_shaking.cpp dem/stability/test_step_limit.cpp
           dem/run/test_model_refusals.cpp dem/plan/test_plan.cpp dem/run/test_stl_scene.cpp dem/run/test_flow_fit.cpp
-          dem/run/test_release_region.cpp dem/run/test_supply_watch.cpp
+          dem/run/test_release_region.cpp dem/protocol/test_supply_watch.cpp
   LIBRARIES clog_dem LABELS unit)
 clog_tests(test_channel_runs
   SOURCES dem/run/test_channel_runs.cpp dem/run/test_full_inlet.cpp dem/run/test_rest_proof.cpp

@@ -9,8 +9,8 @@ namespace clogflow::test {
 
 /// Clogs and releases follow each other quickly, so that a short run meets every branch.
 inline Scene small_channel(Overrides more = {}) {
-  Overrides overrides = {"particles.diameter=50 um", "time.end=20 ms", "inlet.taps=1", "unclog.after=3 ms",
-                         "output.snapshot_interval=5 ms"};
+  Overrides overrides = {"particles.diameter=50 um", "time.end=20 ms",         "inlet.taps=1",
+                         "unclog.after=3 ms",        "unclog.duration=1.5 ms", "output.snapshot_interval=5 ms"};
   overrides.insert(overrides.end(), more.begin(), more.end());
   return short_channel_scene(overrides);
 }

@@ -6,7 +6,7 @@
 
 #include <gmock/gmock.h>
 
-#include "dem/run/clog_watch.hpp"
+#include "dem/protocol/clog_watch.hpp"
 #include "dem/state/initial_particles.hpp"
 #include "tests/coupling/refusal.hpp"
 #include "tests/faults/small_channel.hpp"

@@ -84,8 +84,11 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"Stop", {"unclog.protocol=stop", "inlet.start=flowing", "inlet.strain=0.5", "time.end=60 ms"}},
                     Case{"Restart", {"unclog.protocol=restart", "unclog.strain=0.5", "time.end=40 ms"}},
                     Case{"Poke", {"unclog.protocol=poke"}}, Case{"ReleaseNearTheNeck", {"unclog.region=1"}},
-                    Case{"Mixture", {"drag.velocity=mixture"}},
-                    Case{"RarePorosity", {"porosity.update_interval=1 ms", "porosity.strips=5"}}),
+                    Case{"RarePorosity", {"porosity.update_interval=1 ms", "porosity.strips=5"}},
+                    Case{"Local", {"porosity.method=local", "porosity.update_interval=1 ms"}},
+                    Case{"LocalWithoutStrips", {"porosity.method=local", "porosity.strips=0", "drag.law=beetstra"}},
+                    Case{"NeckStrip", {"porosity.neck=true", "porosity.update_interval=1 ms"}},
+                    Case{"Mixture", {"drag.velocity=mixture", "drag.law=beetstra"}}),
     [](const auto& info) { return info.param.name; });
 
 TEST(ExactRestartScenes, TheChannelClogsAndIsReleased) {

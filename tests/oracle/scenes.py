@@ -20,6 +20,7 @@ class Scene:
     ranks: int = 1
     interrupted: str = ""       # time limit after which it is stopped and called again
     same_as: str = ""           # the scene whose files it must repeat
+    later: bool = False         # an earlier program may refuse it: then there is nothing to compare with
 
 
 def text_of(sections):
@@ -163,14 +164,24 @@ SCENES = {
     "channel_noise": Scene("random factors on drag and flow, porosity off", channel(
         drag__fluctuation__strength=1.4, drag__fluctuation__time='"2 ms"', flow__pulsation__strength=0.5,
         flow__pulsation__time='"2 ms"', porosity__strips=0, drag__viscous_torque="true"), "straight"),
+    "channel_local": Scene("porosity around each particle, a law that knows the slip", channel(
+        porosity__method='"local"', porosity__width='"60 um"', drag__law='"beetstra"', time__end='"8 ms"'), "straight",
+        later=True),
+    "channel_mixture": Scene("the mixture's rate, the neck a strip of its own", channel(
+        drag__velocity='"mixture"', porosity__neck="true", time__end='"8 ms"'), "straight", later=True),
     "channel_small": Scene("small spheres, many neighbours, dry", channel(
         particles__diameter='"22 um"', lubrication__enabled="false", time__end='"5 ms"'), "straight"),
     "stepped": Scene("other corners: two narrowings, an expansion", channel(**STEPPED), "stepped"),
     "pore": Scene("a channel from an STL file", channel(**PORE), "pore"),
+    "pore_local": Scene("porosity around each particle between walls from a file, no strips", channel(
+        **PORE, porosity__method='"local"', porosity__strips=0, time__end='"5 ms"'), "pore", later=True),
     "seeds_one_rank": Scene("four seeds on one rank", channel(time__end='"8 ms"'), "straight",
                             ["--seeds", "1-4"]),
     "seeds_two_ranks": Scene("four seeds on two ranks", channel(time__end='"8 ms"'), "straight",
                              ["--seeds", "1-4"], ranks=2, same_as="seeds_one_rank"),
+    "resumed_local": Scene("a local porosity, stopped again and again", channel(
+        porosity__method='"local"', porosity__width='"60 um"', drag__law='"beetstra"', time__end='"8 ms"'), "straight",
+        interrupted="0.2 s", same_as="channel_local", later=True),
     "resumed": Scene("stopped again and again, and resumed", channel(), "straight", interrupted="0.3 s",
                      same_as="channel"),
     "sweep": Scene("a folder for every value", channel(time__end='"5 ms"'), "straight",

@@ -137,6 +137,18 @@ TEST(SceneRefusals, OfKeysWithoutTheirProtocol) {
   for (const auto& [overrides, reason] : cases) EXPECT_THAT(refused(channel, overrides), HasSubstr(reason));
 }
 
+TEST(SceneRefusals, OfPorositiesThatDisagree) {
+  EXPECT_THAT(refused(channel, {"porosity.width=50 um"}),
+              HasSubstr("porosity.width = \"50 um\" (is only for porosity.method = \"local\")"));
+  EXPECT_THAT(refused(channel, {"porosity.method=local", "porosity.width=16 um"}),
+              HasSubstr("(must be at least half of particles.diameter = 33 um"));
+  for (const char* other : {"porosity.method=local", "porosity.strips=0"})
+    EXPECT_THAT(refused(channel, {"porosity.neck=true", other}), HasSubstr("porosity.neck = true (is one more strip"));
+  EXPECT_THAT(refused(channel, {"porosity.method=mean"}), HasSubstr("\"strips\""));
+  EXPECT_THAT(refused(laboratory, {"porosity.method=local", "porosity.strips=0"}),
+              HasSubstr("porosity.method = \"local\" (needs a [geometry] with neck_width)"));
+}
+
 TEST(SceneRefusals, OfALaboratoryThatDisagrees) {
   EXPECT_THAT(refused(laboratory, {"flow.source=openfoam"}), HasSubstr("(openfoam needs a [geometry] section)"));
   EXPECT_THAT(refused(laboratory, {"inlet.enabled=true"}), HasSubstr("(an inlet needs a [geometry] with neck_width)"));

@@ -119,9 +119,10 @@ TEST(FlowField, ManyPlacesAtOnceAsOneByOne) {
   std::uniform_real_distribution<double> place(-2, 2);
   for (int k = 0; k < 37; ++k)
     particles.add({.id = k, .radius = 0.5 + k, .x = place(random), .y = place(random), .z = place(random)});
-  const double speed_up[2] = {2, 3}, drag_per_radius[2] = {5, 7};  // of two strips that meet at x = 0
+  // Of two strips that meet at x = 0, and of a neck from 0.6 on.
+  const double speed_up[3] = {2, 3, 11}, drag_per_radius[3] = {5, 7, 13};
   std::vector<double> ux(37), uy(37), uz(37), drag(37);
-  FlowTask task{pointers(particles), nullptr,   {},        0,         {},         -1, 1, 1, speed_up,
+  FlowTask task{pointers(particles), nullptr,   {},        0,         {},         -1, 1, 1, 0.6, speed_up,
                 drag_per_radius,     ux.data(), uy.data(), uz.data(), drag.data()};
   ASSERT_TRUE(field.set_nearest(task));
   EXPECT_FALSE(FlowField(grid, Lookup::trilinear).set_nearest(task));
@@ -129,7 +130,7 @@ TEST(FlowField, ManyPlacesAtOnceAsOneByOne) {
     kernels->sample_nearest(task);
     for (int k = 0; k < 37; ++k) {
       const Vec3 u = at(field, {particles[k].x, particles[k].y, particles[k].z});
-      const int strip = particles[k].x >= 0;
+      const int strip = (particles[k].x >= 0) + (particles[k].x >= 0.6);
       EXPECT_EQ(ux[k], speed_up[strip] * u.x()) << kernels->name << " " << k;
       EXPECT_EQ(uy[k], speed_up[strip] * u.y());
       EXPECT_EQ(uz[k], speed_up[strip] * u.z());

@@ -138,6 +138,19 @@ TEST(Plan, InertialDragIsModelledByALawThatKnowsIt) {
   EXPECT_GT(term_named(plan, "drag").value, term_named(make_plan(cheap_paper_scene()), "drag").value);
 }
 
+TEST(Plan, SaysWhoseRateTheFlowKeepsAndWhatThatLeavesOut) {
+  const auto plan = [](const char* reading) {
+    return make_plan(cheap_paper_scene({std::string("drag.velocity=") + reading}));
+  };
+  EXPECT_THAT(plan("interstitial").drag_note, HasSubstr("the liquid keeps the flow's rate, F = c (V0/eps - u)"));
+  EXPECT_THAT(plan("mixture").drag_note, HasSubstr("liquid and particles together"));
+  EXPECT_THAT(plan("superficial").drag_note, HasSubstr("c eps (V0/eps - u)"));
+  for (const char* whole : {"interstitial", "mixture"}) EXPECT_THAT(warnings(plan(whole)), IsEmpty());
+  // 1 - 0.55
+  EXPECT_THAT(warnings(plan("superficial")), Contains(HasSubstr("about 0.45 of the total force")));
+  EXPECT_EQ(make_plan(cheap_paper_scene({"drag.enabled=false"})).drag_note, "");
+}
+
 TEST(Plan, WeighsAdhesion) {
   const auto sticky = [](const char* law) {
     return make_plan(cheap_paper_scene({std::string("contact.law=") + law, "contact.surface_energy=1 mJ/m2"}));

@@ -1,8 +1,8 @@
 // A release near the neck: friction ends where its region begins, and only there. The arch that a poke takes out.
 #include <gtest/gtest.h>
 
+#include "dem/protocol/frictionless_flow.hpp"
 #include "dem/run/arch.hpp"
-#include "dem/run/frictionless_flow.hpp"
 #include "tests/faults/small_channel.hpp"
 
 namespace clogflow::test {

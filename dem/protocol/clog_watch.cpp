@@ -1,10 +1,10 @@
-#include "dem/run/clog_watch.hpp"
+#include "dem/protocol/clog_watch.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "coupling/base/quantile.hpp"
-#include "dem/run/frictionless_flow.hpp"
+#include "dem/protocol/frictionless_flow.hpp"
 
 namespace clogflow {
 

@@ -1,4 +1,4 @@
-#include "dem/run/frictionless_flow.hpp"
+#include "dem/protocol/frictionless_flow.hpp"
 
 #include <algorithm>
 #include <cmath>

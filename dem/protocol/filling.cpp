@@ -1,11 +1,11 @@
-#include "dem/run/filling.hpp"
+#include "dem/protocol/filling.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "dem/run/clog_watch.hpp"
-#include "dem/run/frictionless_flow.hpp"
+#include "dem/protocol/clog_watch.hpp"
+#include "dem/protocol/frictionless_flow.hpp"
 #include "dem/state/valid.hpp"
 
 namespace clogflow {
@@ -23,7 +23,7 @@ constexpr double longest_rest = 20, longest_fill = 2;
 constexpr double tap_duration = 0.23;
 
 /// Share of tau between two looks at the speeds.
-constexpr double look_share = 0.1;
+constexpr double looks_apart = 0.1;
 
 }  // namespace
 
@@ -71,7 +71,7 @@ double Filling::tap_time() const { return tap_duration * scene_->stokes_time(); 
 
 double Filling::still_time() const { return full_after * scene_->stokes_time(); }
 
-double Filling::look_interval() const { return look_share * scene_->stokes_time(); }
+double Filling::look_interval() const { return looks_apart * scene_->stokes_time(); }
 
 double Filling::rest_speed() const { return clogflow::rest_speed(*scene_); }
 

@@ -1,7 +1,7 @@
 // A column that drains, fed with made-up packings.
 #include <gtest/gtest.h>
 
-#include "dem/run/supply_watch.hpp"
+#include "dem/protocol/supply_watch.hpp"
 #include "tests/dem/channel_scene.hpp"
 
 namespace clogflow::test {

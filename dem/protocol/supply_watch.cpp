@@ -1,4 +1,4 @@
-#include "dem/run/supply_watch.hpp"
+#include "dem/protocol/supply_watch.hpp"
 
 namespace clogflow {
 

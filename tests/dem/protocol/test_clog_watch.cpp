@@ -1,7 +1,7 @@
 // The protocols as machines of states, fed with made-up times and clogs.
 #include <gtest/gtest.h>
 
-#include "dem/run/clog_watch.hpp"
+#include "dem/protocol/clog_watch.hpp"
 
 namespace clogflow {
 namespace {
