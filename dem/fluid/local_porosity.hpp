@@ -15,7 +15,7 @@ struct ChannelSpace {
   double start, end;  ///< x of the ends [m]
 };
 
-/// Equation and source: dem/physics/coarse_graining.hpp. Spheres and the channel's own volume are spread over the same
+/// Equation and source: dem/physics/porosity.hpp. Spheres and the channel's own volume are spread over the same
 /// grid in the same way, so their ratio is the fraction of a uniform pack wherever walls and ends are near.
 ///   eps = 1 - phi, but never below least_porosity
 class LocalPorosity {

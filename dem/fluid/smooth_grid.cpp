@@ -6,7 +6,7 @@
 #include "coupling/base/expect.hpp"
 #include "coupling/base/require.hpp"
 #include "dem/kernels/grid_place.hpp"
-#include "dem/physics/coarse_graining.hpp"
+#include "dem/physics/porosity.hpp"
 
 namespace clogflow {
 

@@ -27,6 +27,8 @@ constexpr double rest_share = 1e-3;
 
 }  // namespace
 
+double look_interval(const Scene& scene) { return look_share * scene.stokes_time(); }
+
 double rest_speed(const Scene& scene) { return rest_share * scene.flow_speed(); }
 
 std::vector<int> near_neck(const Particles& p, const Scene& scene) {
@@ -57,7 +59,7 @@ ClogWatch::ClogWatch(const Scene& scene)
       shortcut_(scene.unclog.shortcut),
       after_(scene.unclog.after),
       duration_(scene.unclog.duration),
-      look_interval_(look_share * scene.stokes_time()),
+      look_interval_(look_interval(scene)),
       rest_speed_(clogflow::rest_speed(scene)),
       least_wait_(least_wait * scene.stokes_time()) {
   if (protocol_ != UnclogProtocol::restart) return;

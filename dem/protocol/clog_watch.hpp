@@ -91,4 +91,7 @@ private:
 /// Speed below which a particle counts as at rest: a thousandth of the mean flow velocity [m/s].
 double rest_speed(const Scene& scene);
 
+/// Between two looks at the column [s].
+double look_interval(const Scene& scene);
+
 }  // namespace clogflow

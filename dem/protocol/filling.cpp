@@ -22,9 +22,6 @@ constexpr double longest_rest = 20, longest_fill = 2;
 /// Friction is off for this many tau in a tap, as long as in a release of the paper's scene.
 constexpr double tap_duration = 0.23;
 
-/// Share of tau between two looks at the speeds.
-constexpr double looks_apart = 0.1;
-
 }  // namespace
 
 void Filling::begin(double time) {
@@ -71,7 +68,7 @@ double Filling::tap_time() const { return tap_duration * scene_->stokes_time(); 
 
 double Filling::still_time() const { return full_after * scene_->stokes_time(); }
 
-double Filling::look_interval() const { return looks_apart * scene_->stokes_time(); }
+double Filling::look_interval() const { return clogflow::look_interval(*scene_); }
 
 double Filling::rest_speed() const { return clogflow::rest_speed(*scene_); }
 

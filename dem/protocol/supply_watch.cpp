@@ -1,5 +1,7 @@
 #include "dem/protocol/supply_watch.hpp"
 
+#include "dem/protocol/clog_watch.hpp"
+
 namespace clogflow {
 
 namespace {
@@ -7,15 +9,15 @@ namespace {
 /// Of the packing fraction at time 0.
 constexpr double low_share = 0.5;
 
-/// tau between two looks, and until a low packing is no gap that closes again.
-constexpr double look_share = 0.1, patience = 10;
+/// tau until a low packing is no gap that closes again.
+constexpr double closing_time = 10;
 
 }  // namespace
 
 SupplyWatch::SupplyWatch(const Scene& scene)
     : enabled_(scene.inlet.enabled && scene.inlet.start != InletStart::empty && scene.porosity.strips > 0),
-      look_interval_(look_share * scene.stokes_time()),
-      patience_(patience * scene.stokes_time()) {}
+      look_interval_(look_interval(scene)),
+      patience_(closing_time * scene.stokes_time()) {}
 
 void SupplyWatch::note(double time, double packing) {
   if (at_start_ < 0) at_start_ = packing;

@@ -8,7 +8,7 @@
 #include "coupling/geometry/channel_shape.hpp"
 #include "dem/fluid/fluid.hpp"
 #include "dem/fluid/local_porosity.hpp"
-#include "dem/physics/coarse_graining.hpp"
+#include "dem/physics/porosity.hpp"
 #include "tests/coupling/refusal.hpp"
 #include "tests/dem/channel_scene.hpp"
 
