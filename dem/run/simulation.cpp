@@ -111,7 +111,7 @@ void Simulation::record() {
   if (action == Action::friction_off || action == Action::poke) recorder_.begin_release(state_);
   if (action == Action::friction_on || action == Action::poke) recorder_.end_release(state_);
   if (action == Action::stop) recorder_.stop(state_);
-  const auto packing = [&] { return 1 - state_.fluid.strips().porosity().back(); };
+  const auto packing = [&] { return 1 - state_.fluid.strips().upstream_porosity().back(); };
   if (state_.supply_watch.drains(time(), packing)) recorder_.drained(state_);
   recorder_.look(state_);
 }

@@ -100,11 +100,11 @@ def draw(rows, file):
         marker = "o" if not flows else ">"
         face = colours(share) if row["clogged"] in (0, row["seeds"]) else "white"
         axes.plot(row["D/d"], y, marker, ms=13, mfc=face, mec=colours(share), mew=2)
-        label = "flows" if flows else f"{row['mean']:.1f}" if row["mean"] < 10 else f"{row['mean']:.0f}"
+        label = "flows" if flows else f"{row['mean']:.2g}" if row["mean"] < 10 else f"{row['mean']:.0f}"
         axes.annotate(label, (row["D/d"], y), xytext=(0, 9), textcoords="offset points", ha="center", fontsize=7)
     axes.set_yticks([len(names) - k for k in range(len(names))], [words(name) for name in names], fontsize=8)
-    axes.set(xlabel="D/d", xlim=(1.1, 4.5), ylim=(0.4, len(names) + 0.8),
-             title="passages until the first clog; triangles: no clog; open: some seeds did not clog")
+    axes.set(xlabel="D/d", xlim=(1.1, 4.5), ylim=(0.4, len(names) + 0.8))
+    figure.suptitle("passages until the first clog; triangle: no seed clogged; open: not all did", fontsize=10)
     figure.savefig(file, dpi=130)
 
 
