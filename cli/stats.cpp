@@ -74,10 +74,12 @@ void print_summary(const postprocess::Statistics& statistics) {
       continue;
     }
     const bool by_release = clears_clogs(protocol);
-    fmt::print("{}: {} seeds, {} bursts, <s> = {}, {} = {}, {} passages/s\n", group.label,
+    fmt::print("{}: {} seeds, {} bursts, <s> = {}, {} = {}, {} passages/s{}\n", group.label,
                statistics.groups[i].records.size(), group.bursts.counted, with_interval(group, "mean_burst"),
                by_release ? "releases without a passage" : "alpha(T_min)",
-               with_interval(group, by_release ? "share_failed" : "alpha_fixed"), with_interval(group, "flow_rate"));
+               with_interval(group, by_release ? "share_failed" : "alpha_fixed"),
+               with_interval(group, by_release ? "flow_rate_flowing" : "flow_rate"),
+               by_release ? " while it flows" : "");
     print_verdicts(group);
   }
 }
