@@ -35,8 +35,8 @@ void Simulation::finish() {
   r.shaking_speed = watch.shaking;
   r.fill_time = state_.filling.duration();
   r.fill_at_rest = state_.filling.ended_at_rest();
-  if (model_.scene.inlet.enabled && model_.scene.inlet.start == InletStart::flowing)
-    r.start_flowed = state_.filling.flowed();
+  const bool flowing_start = model_.scene.inlet.enabled && model_.scene.inlet.start == InletStart::flowing;
+  if (flowing_start) r.start_flowed = state_.filling.flowed();
   if (model_.scene.unclog.protocol == UnclogProtocol::poke) r.poked = state_.clog_watch.taken_out();
   r.inserted = inlet.inserted();
   r.insertions_refused = inlet.refused();
@@ -49,7 +49,8 @@ void Simulation::finish() {
     stability_.say(fmt::format("the inlet found no room for any particle in {} attempts: the channel is full up to it",
                                inlet.refused()));
   const std::int64_t left = inlet.numbered() - static_cast<std::int64_t>(state_.count());
-  if (left > 0 && data.passages.time.empty())
+  // Before a flowing start many leave, and they do not count.
+  if (left > 0 && !flowing_start && data.passages.time.empty())
     stability_.say(fmt::format(
         "warning: {} particle{} left at the outlet, x = {:.4g} m, and none was counted at passages.plane = {:.4g} m",
         left, left > 1 ? "s" : "", model_.domain.outlet, model_.domain.passage));
