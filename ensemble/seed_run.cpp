@@ -121,7 +121,10 @@ std::optional<std::string> finished_before(const Ensemble& ensemble, const State
           "another --out",
           done->file.string(), owner.seed);
   give_place(ensemble, owner.seed, done->file);
-  checkpoint.remove();  // of a run that was killed just after it wrote its file
+  // Of a run that was killed just after it wrote its file.
+  checkpoint.remove();
+  std::error_code ignored;
+  std::filesystem::remove(shorter_file(ensemble, owner.seed), ignored);
   return done->note.empty() ? "already done" : fmt::format("already done, with {}", done->note);
 }
 
