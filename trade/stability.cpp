@@ -50,9 +50,9 @@ std::string column(const ExtremePoint& point, double overlap) {
   const double spin = 10 * overlap * std::sqrt(point.youngs_modulus / 1062) / d;
   for (int k = 0; k < point.particles; ++k) {
     const auto off = [&](int base) { return 0.02 * d * (halton(k + 1, base) - 0.5); };
-    text +=
-        fmt::format("{},{},{},{},{},{}\n", (k % 3 - 1) * d * 1.01 + off(2), (k / 3 % 3 - 1) * d * 1.01 + off(3),
-                    d / 2 + (k / 9) * pitch - overlap * d, spin * off(5) / d, spin * off(7) / d, spin * off(11) / d);
+    const int row = k / 3 % 3 - 1, layer = k / 9;
+    text += fmt::format("{},{},{},{},{},{}\n", (k % 3 - 1) * d * 1.01 + off(2), row * d * 1.01 + off(3),
+                        d / 2 + layer * pitch - overlap * d, spin * off(5) / d, spin * off(7) / d, spin * off(11) / d);
   }
   return text;
 }

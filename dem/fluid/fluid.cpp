@@ -9,8 +9,8 @@ namespace clogflow {
 
 const DragLaw& drag_law(const Scene& scene) { return find_drag_law(scene.drag.law); }
 
-Fluid::Fluid(const Scene& scene, FlowField field, PorosityStrips strips, LocalPorosity local)
-    : field_(std::move(field)),
+Fluid::Fluid(const Scene& scene, const FlowField& field, PorosityStrips strips, LocalPorosity local)
+    : field_(field),
       strips_(std::move(strips)),
       local_(std::move(local)),
       noise_(scene),

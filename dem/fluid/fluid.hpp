@@ -30,7 +30,7 @@ const DragLaw& drag_law(const Scene& scene);
 /// recorded only.
 class Fluid {
 public:
-  Fluid(const Scene& scene, FlowField field, PorosityStrips strips, LocalPorosity local = {});
+  Fluid(const Scene& scene, const FlowField& field, PorosityStrips strips, LocalPorosity local = {});
 
   /// Measures the porosity anew.
   void update_porosity(const Particles& particles) {

@@ -81,8 +81,10 @@ double Filling::longest_stage() const {
 bool Filling::valid(double time) const {
   if (!finite_from_zero(duration_)) return false;
   if (is_done()) return true;
-  return is_wanted() && has_begun() && taps_ >= 0 && taps_ <= scene_->inlet.taps &&
-         finite_from_zero(stage_began_, last_insertion_, next_look_) && stage_began_ <= time;
+  const bool flows = scene_->inlet.start == InletStart::flowing;
+  return is_wanted() && (flows ? stage_ == Stage::flow : gate_is_closed()) && taps_ >= 0 &&
+         taps_ <= scene_->inlet.taps && finite_from_zero(stage_began_, last_insertion_, next_look_) &&
+         stage_began_ <= time;
 }
 
 }  // namespace clogflow

@@ -115,7 +115,8 @@ void check_pairs(const InitialParticles& initial, const Model& model) {
     const Particle& p = particles[k];
     const auto at = cell(p);
     for (int n = 0; n < 27; ++n) {
-      const auto near = cells.find({at[0] + n % 3 - 1, at[1] + n / 3 % 3 - 1, at[2] + n / 9 - 1});
+      const int column = n % 3 - 1, row = n / 3 % 3 - 1, layer = n / 9 - 1;
+      const auto near = cells.find({at[0] + column, at[1] + row, at[2] + layer});
       if (near == cells.end()) continue;
       for (const std::size_t other : near->second) {
         const Particle& q = particles[other];

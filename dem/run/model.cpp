@@ -177,7 +177,7 @@ Fluid make_fluid(const Scene& scene, const FlowGrid* flow) {
     if (scene.porosity.strips > 0) strips = make_strips(scene);
     if (scene.porosity.method == PorosityMethod::local) local = make_local(scene, flow);
   }
-  return {scene, std::move(field), std::move(strips), std::move(local)};
+  return {scene, field, std::move(strips), std::move(local)};
 }
 
 }  // namespace clogflow

@@ -50,4 +50,16 @@ Estimate without_interval(const Estimate& estimate) {
   return {estimate.value, undefined, undefined, "resampled seeds all agree"};
 }
 
+Estimate mean_over_seeds(const std::vector<double>& values, const Resampling& resampling) {
+  const Estimate mean = bootstrap_over_seeds(
+      values.size(),
+      [&](const std::vector<std::size_t>& drawn) {
+        double sum = 0;
+        for (const std::size_t k : drawn) sum += values[k];
+        return sum / static_cast<double>(drawn.size());
+      },
+      resampling);
+  return is_spread_missing(mean) ? without_interval(mean) : mean;
+}
+
 }  // namespace clogflow::postprocess

@@ -39,4 +39,7 @@ bool is_spread_missing(const Estimate& estimate);
 /// The value alone, and why.
 Estimate without_interval(const Estimate& estimate);
 
+/// Mean of one value a seed; the value alone where the seeds agree. \param values  not empty
+Estimate mean_over_seeds(const std::vector<double>& values, const Resampling& resampling);
+
 }  // namespace clogflow::postprocess

@@ -13,15 +13,7 @@ Estimate over_seeds(const RunGroup& group, double FirstBurst::*member, const Res
   for (const SeedRecord& record : group.records)
     if (std::isfinite(record.first_burst.*member)) values.push_back(record.first_burst.*member);
   if (values.empty()) return {NAN, NAN, NAN, "no seed shows it"};
-  const Estimate mean = bootstrap_over_seeds(
-      values.size(),
-      [&](const std::vector<std::size_t>& drawn) {
-        double sum = 0;
-        for (const std::size_t k : drawn) sum += values[k];
-        return sum / static_cast<double>(drawn.size());
-      },
-      resampling);
-  return is_spread_missing(mean) ? without_interval(mean) : mean;
+  return mean_over_seeds(values, resampling);
 }
 
 ClogPlaces places_of(const RunGroup& group, double level) {

@@ -48,15 +48,9 @@ std::vector<QuantityStatistics> quantities_with_halves(const RunGroup& group, co
 
 SteadyStatistics steady_state(const RunGroup& group, const StatisticsRequest& request) {
   const auto mean = [&](auto&& value) {
-    const Estimate known = bootstrap_over_seeds(
-        group.records.size(),
-        [&](const std::vector<std::size_t>& drawn) {
-          double sum = 0;
-          for (const std::size_t k : drawn) sum += value(group.records[k].steady);
-          return sum / static_cast<double>(drawn.size());
-        },
-        request.resampling);
-    return is_spread_missing(known) ? without_interval(known) : known;
+    std::vector<double> values;
+    for (const SeedRecord& record : group.records) values.push_back(value(record.steady));
+    return mean_over_seeds(values, request.resampling);
   };
   SteadyStatistics steady{.particles = mean([](const SteadyState& s) { return s.particles; }),
                           .packing_fraction = mean([](const SteadyState& s) { return s.packing_fraction; }),

@@ -119,8 +119,9 @@ std::string grains_csv() {
   for (int k = 0; k < 27; ++k) {
     Particle grain;
     grain.radius = 0.004 + 0.0005 * (k % 3);
-    grain.x = -0.012 + 0.0121 * (k % 3), grain.y = -0.012 + 0.0121 * (k / 3 % 3);
-    grain.z = 0.006 + 0.0121 * (k / 9);
+    const int row = k / 3 % 3, layer = k / 9;
+    grain.x = -0.012 + 0.0121 * (k % 3), grain.y = -0.012 + 0.0121 * row;
+    grain.z = 0.006 + 0.0121 * layer;
     grain.vx = 0.1 * (k % 5), grain.wz = k;
     grains.push_back(grain);
   }

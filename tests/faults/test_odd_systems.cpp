@@ -12,7 +12,6 @@ namespace clogflow::test {
 namespace {
 
 using testing::HasSubstr;
-using testing::Not;
 
 /// Environment variables for the programs started while it lives.
 class Environment {

@@ -206,7 +206,7 @@ struct PairMotion {
 };
 
 /// Two spheres meet along x; returns what is left when they have parted.
-PairMotion collide(Scene scene, const std::vector<Particle>& spheres, double second_mass_factor) {
+PairMotion collide(const Scene& scene, const std::vector<Particle>& spheres, double second_mass_factor) {
   Laboratory lab(scene, spheres);
   const std::size_t second = lab.at(1);
   lab->particles()[second].mass *= second_mass_factor;

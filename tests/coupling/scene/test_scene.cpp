@@ -19,7 +19,6 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::Not;
 
 const std::filesystem::path paper = clogflow::source_folder() / "scenes/paper.toml";
 

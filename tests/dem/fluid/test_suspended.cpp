@@ -72,7 +72,7 @@ TEST(Drag, TurnsASphereWithTheViscousTorque) {
 }
 
 /// Two equal spheres with the gap h that approach each other at speed v: the force on the second.
-double film_force(Scene s, double h, double v) {
+double film_force(const Scene& s, double h, double v) {
   Laboratory lab(s, {{.radius = d / 2, .vx = v / 2}, {.radius = d / 2, .x = d + h, .vx = -v / 2}});
   lab->compute_forces();
   EXPECT_NEAR((lab.force(0) + lab.force(1)).norm(), 0, 1e-25);

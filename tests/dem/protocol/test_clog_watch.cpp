@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "dem/protocol/clog_watch.hpp"
+#include "tests/coupling/scene/scene_texts.hpp"
 
 namespace clogflow {
 namespace {
@@ -9,29 +10,9 @@ namespace {
 using Action = ClogWatch::Action;
 
 Scene release_scene() {
-  return parse_scene(R"(
-[geometry]
-neck_width = "100 um"
-half_angle = "60 deg"
-[fluid]
-viscosity = "1.8 mPa s"
-density = "1062 kg/m3"
-[flow]
-mean_velocity = "5 mm/s"
-[particles]
-diameter = "33 um"
-[contact]
-youngs_modulus = "3 MPa"
-poisson_ratio = 0.35
-[unclog]
-protocol = "release"
-after = "30 ms"
-duration = "2 ms"
-shortcut = false
-[time]
-end = "1 s"
-)",
-                     "release");
+  return parse_scene(
+      channel, "release",
+      {"unclog.protocol=release", "unclog.after=30 ms", "unclog.duration=2 ms", "unclog.shortcut=false"});
 }
 
 const auto at_rest = [] { return ClogState{0, 0, 0}; };

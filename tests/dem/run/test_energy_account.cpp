@@ -29,11 +29,13 @@ Scene full_box(double step, Integrator integrator) {
 /// On a lattice, of sizes from 0.97 to 1.01 of its spacing, stirred.
 std::vector<Particle> crowd() {
   std::vector<Particle> particles;
-  for (int k = 0; k < across * across * across; ++k)
+  for (int k = 0; k < across * across * across; ++k) {
+    const int row = k / across % across, layer = k / across / across;
     particles.push_back({.radius = (0.97 + 0.04 * (k % 7) / 6) * d / 2,
                          .x = (0.5 + k % across) * d,
-                         .y = (0.5 + k / across % across) * d,
-                         .z = (0.5 + k / across / across) * d});
+                         .y = (0.5 + row) * d,
+                         .z = (0.5 + layer) * d});
+  }
   std::mt19937 random(3);
   stir(particles, 0.05, random);
   return particles;

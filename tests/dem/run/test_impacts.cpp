@@ -16,7 +16,7 @@ struct Impact {
 };
 
 /// Two equal spheres, each at half the closing speed.
-Impact collide(Scene scene, double speed) {
+Impact collide(const Scene& scene, double speed) {
   const double r = scene.particles.diameter / 2, gap = 0.1 * speed * scene.time.step;
   Laboratory lab(scene, {{.radius = r, .x = -r - gap, .vx = speed / 2}, {.radius = r, .x = r + gap, .vx = -speed / 2}});
   Impact impact{.least = 1e300};
