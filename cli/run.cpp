@@ -13,21 +13,15 @@
 
 #include <fmt/format.h>
 
+#include "cli/display.hpp"
 #include "cli/output.hpp"
-#include "cli/progress.hpp"
+#include "cli/run_points.hpp"
 #include "cli/stop_signal.hpp"
 #include "cli/verbs.hpp"
 #include "coupling/base/require.hpp"
 #include "coupling/base/units.hpp"
-#include "coupling/flow/flow_rescale.hpp"
-#include "coupling/scene/sweep.hpp"
 #include "dem/kernels/kernels.hpp"
-#include "dem/plan/plan.hpp"
-#include "dem/stability/step_limit.hpp"
-#include "dem/state/initial_particles.hpp"
-#include "ensemble/enough_seeds.hpp"
 #include "ensemble/ensemble.hpp"
-#include "trade/fidelity.hpp"
 
 namespace clogflow::cli {
 namespace {
@@ -39,81 +33,16 @@ constexpr std::chrono::seconds rank_0_speaks_within{5};
 constexpr double longest_time_limit = 1e9;
 
 struct RunOptions {
-  std::filesystem::path scene, flow, out;
-  std::optional<std::string> seeds;
+  RunSource source;
+  std::filesystem::path out;
   std::string tolerance, time_limit, until;
-  Overrides overrides;
-  std::vector<std::string> sweeps;
+  Ranks::Use use = Ranks::Use::mpi;
 };
 
-/// One point of the sweep; the only one, if there is none.
-struct Prepared {
-  SweepPoint point;
-  Scene scene;
-  std::shared_ptr<const FlowGrid> flow;
-  std::string note;
-  double cost = 0;
-};
-
-/// The flow as this scene wants it; `file` as it was read, shared by the points that want it so.
-std::shared_ptr<const FlowGrid> flow_for(Prepared& prepared, const RunOptions& options,
-                                         std::shared_ptr<const FlowGrid>& file) {
-  if (prepared.scene.flow.source != FlowSource::openfoam) {
-    require(options.flow.empty(), "{}: flow.source is not \"openfoam\", so {} would not be used: leave out --flow",
-            options.scene.string(), options.flow.string());
-    return {};
-  }
-  require(!options.flow.empty(),
-          "{}: flow.source = \"openfoam\" needs the flow: give --flow flow.h5 (clog case, its "
-          "Allrun and clog map make it)",
-          options.scene.string());
-  if (!file) file = std::make_shared<const FlowGrid>(read_flow_grid(options.flow));
-  if (!prepared.scene.flow.rescale) return file;
-  RescaledFlow rescaled = rescaled_flow(*file, prepared.scene);
-  if (!prepared.note.empty()) prepared.note += "\n";
-  prepared.note += fmt::format(
-      "the flow is scaled by {:.6g}; that leaves out {:.2g} % of the "
-      "neck's mean velocity at most",
-      rescaled.factor, 100 * rescaled.error);
-  return std::make_shared<const FlowGrid>(std::move(rescaled.grid));
-}
-
-Prepared prepare(const RunOptions& options, const SweepPoint& point, std::shared_ptr<const FlowGrid>& file) {
-  Overrides overrides = options.overrides;
-  overrides.insert(overrides.end(), point.overrides.begin(), point.overrides.end());
-  auto [scene, fidelity] = trade::read_resolved_scene(options.scene, overrides);
-  Prepared prepared{point, std::move(scene), {}, fidelity};
-  if (options.seeds) prepared.scene.ensemble.seeds = parse_seeds(*options.seeds);
-  prepared.flow = flow_for(prepared, options, file);
-  // What is wrong with the scene is wrong for every seed: say it once, before any run begins.
-  const std::vector<Particle> initial = read_initial_particles(prepared.scene);
-  const Model model = make_model(prepared.scene, prepared.flow.get(), initial);
-  check_step(expected_limits(model, initial), model);
-  prepared.cost = make_plan(prepared.scene).seconds();
-  return prepared;
-}
-
-std::vector<Prepared> prepare_points(const RunOptions& options) {
-  // The command line replaces the sweep of the scene.
-  const auto sweeps = options.sweeps.empty()
-                          ? trade::read_resolved_scene(options.scene, options.overrides).scene.ensemble.sweep
-                          : options.sweeps;
-  std::vector<Prepared> all;
-  std::shared_ptr<const FlowGrid> file;
-  for (const SweepPoint& point : sweep_points(sweeps)) {
-    try {
-      all.push_back(prepare(options, point, file));
-    } catch (const Error& error) {
-      throw Error(point.folder.empty() ? error.what() : fmt::format("{}: {}", point.folder, error.what()));
-    }
-  }
-  return all;
-}
-
-/// Rank 0 speaks for all ranks that meet the same problem, and its end ends them; one that is alone with its
-/// problem says so.
+/// Without MPI rank 0 speaks for all processes that meet the same problem, and its end ends them; one that is alone
+/// with its problem says so.
 template <class Work>
-auto on_every_rank(const Launch& launch, const Work& work) {
+auto without_mpi(const Launch& launch, const Work& work) {
   try {
     return work();
   } catch (const std::exception& error) {
@@ -142,36 +71,78 @@ void say(const SeedReport& report) {
                                            report.point.empty() ? "" : report.point + ", ", report.seed, report.line));
 }
 
-EnsembleCall call_for(const std::vector<Prepared>& points, const RunOptions& options, const Launch& launch) {
-  EnsembleCall call{{}, launch, options.out / "ensemble.csv"};
-  for (const Prepared& p : points) {
-    if (launch.rank == 0 && !p.note.empty())
-      fmt::print("{}{}\n", p.point.folder.empty() ? "" : p.point.folder + ": ", p.note);
-    call.ensembles.push_back(
-        {p.scene, p.flow.get(), options.out / p.point.folder, &stop_asked, p.point.folder, p.cost});
+/// The points on every rank.
+std::vector<RunPoint> points_for(const RunOptions& options, const Launch& launch, Ranks& ranks) {
+  const auto read = [&] {
+    select_kernels();  // says what is wrong with CLOG_ISA
+    return read_run_points(options.source);
+  };
+  if (options.use == Ranks::Use::none) return without_mpi(launch, read);
+  std::vector<RunPoint> points;
+  ranks.together([&] {
+    if (ranks.is_first()) points = read();
+  });
+  return shared_run_points(std::move(points), options.source.scene, ranks);
+}
+
+EnsembleCall call_for(const std::vector<RunPoint>& points, const RunOptions& options, const Launch& launch,
+                      Ranks& ranks) {
+  EnsembleCall call{.ensembles = {},
+                    .launch = launch,
+                    .ranks = options.use == Ranks::Use::none ? nullptr : &ranks,
+                    .ledger = options.out / "ensemble.csv"};
+  for (const RunPoint& p : points) {
+    if (launch.rank == 0 && !p.note.empty()) fmt::print("{}{}\n", p.folder.empty() ? "" : p.folder + ": ", p.note);
+    call.ensembles.push_back({p.scene, p.flow.get(), options.out / p.folder, &stop_asked, p.folder, p.cost});
+    call.inputs.push_back(p.inputs);
   }
   return call;
 }
 
+/// That the directories belong to the scene, and are there.
+void prepare_directories(const EnsembleCall& call) {
+  const auto prepare = [&] {
+    for (const std::string& line : check_directories(call))
+      if (call.launch.rank == 0) put(stderr, fmt::format("clog: {}\n", line));
+    for (const Ensemble& ensemble : call.ensembles) make_directory(ensemble.directory);
+    return true;
+  };
+  if (!call.ranks)
+    without_mpi(call.launch, prepare);
+  else
+    call.ranks->together([&] {
+      if (call.ranks->is_first()) prepare();
+    });
+}
+
+using Decisions = std::vector<std::unique_ptr<EnoughSeeds>>;
+
 /// One decision an ensemble, or none.
-std::vector<std::shared_ptr<EnoughSeeds>> decide_by(const std::string& until, EnsembleCall& call) {
-  std::vector<std::shared_ptr<EnoughSeeds>> decisions;
+Decisions decide_by(const std::string& until, EnsembleCall& call) {
+  Decisions decisions;
   if (until.empty()) return decisions;
   const postprocess::StoppingRule rule(until);
+  const auto learns = call.ranks ? EnoughSeeds::Learns::from_ranks : EnoughSeeds::Learns::from_files;
   for (Ensemble& ensemble : call.ensembles) {
-    decisions.push_back(std::make_shared<EnoughSeeds>(rule, ensemble));
-    ensemble.wanted = [decision = decisions.back()](std::uint64_t seed) { return decision->wanted(seed); };
+    decisions.push_back(std::make_unique<EnoughSeeds>(rule, ensemble, learns));
+    call.decisions.push_back(decisions.back().get());
+    ensemble.wanted = [decision = decisions.back().get()](std::uint64_t seed) { return decision->wanted(seed); };
   }
   return decisions;
 }
 
 /// What was decided. \throws Error if more seeds are needed than were allowed
-void say(const std::vector<std::shared_ptr<EnoughSeeds>>& decisions, const EnsembleCall& call) {
+void say(const Decisions& decisions, const EnsembleCall& call, const EnsembleResult& result) {
   std::vector<std::string> not_met;
   for (std::size_t i = 0; i < decisions.size(); ++i) {
     const std::string& point = call.ensembles[i].name;
     const std::string line = (point.empty() ? "" : point + ": ") + decisions[i]->summary();
-    decisions[i]->is_met() ? fmt::print("{}\n", line) : not_met.push_back(line);
+    if (decisions[i]->is_met())
+      fmt::print("{}\n", line);
+    else if (result.left_to_others > 0)
+      fmt::print("{} so far: other calls are at work on the rest\n", line);
+    else
+      not_met.push_back(line);
   }
   require(not_met.empty() || stop_asked, "{}: give more --seeds", fmt::join(not_met, "; "));
 }
@@ -186,8 +157,8 @@ void conclude(const EnsembleCall& call, const EnsembleResult& result, const std:
     fmt::print("{} ranks, busy {:.1f} % of {:.1f} s\n", call.launch.count,
                100 * result.busy / (result.duration * call.launch.count), result.duration);
   if (result.left_to_others > 0)
-    fmt::print("{} of {} seeds are left to other calls that are at work on them, such as {}\n", result.left_to_others,
-               seeds, result.other);
+    fmt::print("{} of {} seeds are left to other calls that are at work on them{}{}\n", result.left_to_others, seeds,
+               result.other.empty() ? "" : ", such as ", result.other);
   require(result.failed == 0, "{} of {} seeds failed; the others are in {}", result.failed, seeds, out.string());
   require(result.unrecorded == 0, "{} seeds are done but not listed in {}", result.unrecorded, call.ledger.string());
 }
@@ -195,25 +166,29 @@ void conclude(const EnsembleCall& call, const EnsembleResult& result, const std:
 void run(const RunOptions& options) {
   stop_at({SIGTERM, SIGINT, SIGALRM});
   if (!options.time_limit.empty()) stop_after(options.time_limit);
-  const Launch launch = launch_from_environment();
-  const auto points = on_every_rank(launch, [&] {
-    select_kernels();  // says what is wrong with CLOG_ISA
-    return prepare_points(options);
-  });
-  EnsembleCall call = call_for(points, options, launch);
-  for (const std::string& line : on_every_rank(launch, [&] { return check_directories(call); }))
-    if (launch.rank == 0) put(stderr, fmt::format("clog: {}\n", line));
-  const auto decisions = on_every_rank(launch, [&] { return decide_by(options.until, call); });
-  ProgressLine line(launch.rank == 0 && isatty(STDERR_FILENO));
+  Ranks ranks(options.use);
+  const Launch launch = options.use == Ranks::Use::none ? launch_from_environment() : launch_of(ranks);
+  const auto points = points_for(options, launch, ranks);
+  EnsembleCall call = call_for(points, options, launch, ranks);
+  Decisions decisions;
+  if (!call.ranks)
+    decisions = without_mpi(launch, [&] { return decide_by(options.until, call); });
+  else
+    ranks.together([&] { decisions = decide_by(options.until, call); });
+  prepare_directories(call);
+  Display display(launch);
   const EnsembleResult result = run_ensembles(
-      call, [&](const Progress& progress) { line.show(progress); },
-      [&](const SeedReport& report) {
-        line.clear();
-        say(report);
-      });
+      call, {.report =
+                 [&](const SeedReport& report) {
+                   display.clear();
+                   say(report);
+                 },
+             .progress = [&](const Progress& progress, const Standing& all) { display.show(progress, all); }});
+  display.clear();
   for (const auto& decision : decisions) decision->settle();
+  ranks.wait();
   conclude(call, result, options.out);
-  if (launch.rank == 0) say(decisions, call);
+  if (launch.rank == 0) say(decisions, call, result);
   // Not for ranks: launchers kill all when one ends otherwise, and may meet the others at saving their states.
   if (!result.complete && !launch.by_launcher && (stop_signal == SIGINT || stop_signal == SIGTERM))
     throw EndWithStatus{128 + stop_signal};
@@ -224,10 +199,10 @@ void run(const RunOptions& options) {
 void add_run(CLI::App& app) {
   auto* verb = app.add_subcommand("run", "push the particles through: one file per seed");
   auto options = std::make_shared<RunOptions>();
-  verb->add_option("scene", options->scene, "scene file (TOML)")->required();
-  verb->add_option("--flow", options->flow, "flow.h5 made by clog map");
-  verb->add_option("--seeds", options->seeds, "for example 1-40; default: ensemble.seeds");
-  verb->add_option("--sweep", options->sweeps, "key=value,value: a folder for every value; again for every key")
+  verb->add_option("scene", options->source.scene, "scene file (TOML)")->required();
+  verb->add_option("--flow", options->source.flow, "flow.h5 made by clog map");
+  verb->add_option("--seeds", options->source.seeds, "for example 1-40; default: ensemble.seeds");
+  verb->add_option("--sweep", options->source.sweeps, "key=value,value: a folder for every value; again for every key")
       ->allow_extra_args(false);
   verb->add_option("--out", options->out, "directory for the run files")->required();
   verb->add_option("--tolerance", options->tolerance,
@@ -238,9 +213,12 @@ void add_run(CLI::App& app) {
                    "use only as many of the seeds, in their order, as are enough: 'bursts>=1000', "
                    "'relative_error(mean_burst)<=0.05'")
       ->option_text("RULE");
-  verb->add_option("--set", options->overrides, "key=value: overrides the scene")->allow_extra_args(false);
+  verb->add_option("--set", options->source.overrides, "key=value: overrides the scene")->allow_extra_args(false);
+  verb->add_flag_callback(
+      "--no-mpi", [options] { options->use = Ranks::Use::none; },
+      "under mpirun or srun: processes that share the seeds through files alone; one that dies stops no other");
   verb->callback([options] {
-    if (!options->tolerance.empty()) options->overrides.push_back("fidelity.tolerance=" + options->tolerance);
+    if (!options->tolerance.empty()) options->source.overrides.push_back("fidelity.tolerance=" + options->tolerance);
     run(*options);
   });
 }

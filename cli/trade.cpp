@@ -6,11 +6,13 @@
 
 #include <fmt/format.h>
 
+#include "cli/output.hpp"
 #include "cli/stop_signal.hpp"
 #include "cli/verbs.hpp"
 #include "coupling/base/publish_file.hpp"
 #include "coupling/base/require.hpp"
 #include "coupling/base/units.hpp"
+#include "ensemble/shared_flow.hpp"
 #include "postprocess/output/report.hpp"
 #include "trade/results.hpp"
 #include "trade/study_file.hpp"
@@ -47,14 +49,20 @@ void run(const TradeOptions& options) {
   Ranks ranks;
   trade::Study study{options.scene, options.overrides, nullptr, options.out, budget_seconds(options.budget),
                      &stop_asked,   options.settings};
-  std::optional<FlowGrid> flow;
-  if (!options.flow.empty()) study.flow = &flow.emplace(read_flow_grid(options.flow));
-  stop_at({SIGTERM, SIGINT});
-  trade::run_study(study, ranks, [](const std::string& line) {
-    fmt::print("{}\n", line);
-    std::fflush(stdout);
+  FlowGrid flow;
+  ranks.together([&] {
+    if (ranks.is_first() && !options.flow.empty()) flow = read_flow_grid(options.flow);
+    trade::check_study(study);
   });
-  if (ranks.rank() != 0) return;
+  if (!options.flow.empty()) study.flow = &(flow = shared_flow(flow, ranks));
+  stop_at({SIGTERM, SIGINT});
+  try {
+    trade::run_study(study, ranks, [](const std::string& line) { put(stdout, line + "\n"); });
+  } catch (const std::exception& error) {
+    ranks.abandon(error.what());
+    throw;
+  }
+  if (!ranks.is_first()) return;
   const nlohmann::json results = trade::study_results(study);
   publish_file(results.dump(1) + "\n", options.out / "trade.json");
   const std::string table = trade::table(results);

@@ -1,24 +1,48 @@
 #include "ensemble/enough_seeds.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <bit>
 
 #include "coupling/base/require.hpp"
 #include "ensemble/seed_files.hpp"
 #include "ensemble/seed_lock.hpp"
 
-namespace clogflow::cli {
+namespace clogflow {
 
-EnoughSeeds::EnoughSeeds(postprocess::StoppingRule rule, Ensemble ensemble)
+namespace {
+
+using postprocess::Totals;
+
+/// Seeds of one sum over ranks: more are rarely done between two.
+constexpr std::size_t rows_per_sum = 64;
+
+/// A row is 1 and the totals, or zeros: a seed is told by one rank, so the sum is exact.
+constexpr std::size_t numbers = sizeof(Totals) / sizeof(double);
+using Numbers = std::array<double, numbers>;
+static_assert(sizeof(Totals) == sizeof(Numbers));
+
+}  // namespace
+
+EnoughSeeds::EnoughSeeds(postprocess::StoppingRule rule, Ensemble ensemble, Learns learns)
     : rule_(std::move(rule)),
       ensemble_(std::move(ensemble)),
-      scale_(postprocess::clog_scale(ensemble_.scene, {}, "--until")) {}
+      scale_(postprocess::clog_scale(ensemble_.scene, {}, "--until")),
+      learns_(learns) {}
+
+std::size_t EnoughSeeds::index_of(std::uint64_t seed) const {
+  const auto& seeds = ensemble_.scene.ensemble.seeds;
+  return static_cast<std::size_t>(std::ranges::find(seeds, seed) - seeds.begin());
+}
 
 bool EnoughSeeds::wanted(std::uint64_t seed) {
-  read_on();
-  const auto& seeds = ensemble_.scene.ensemble.seeds;
-  return !enough_ ||
-         std::find(seeds.begin(), seeds.end(), seed) - seeds.begin() < static_cast<std::ptrdiff_t>(*enough_);
+  if (learns_ == Learns::from_files) read_on();
+  return !enough_ || index_of(seed) < *enough_;
+}
+
+void EnoughSeeds::take(const Totals& next) {
+  read_.push_back(next);
+  if (rule_.met(read_)) enough_ = read_.size();
 }
 
 void EnoughSeeds::read_on() {
@@ -26,13 +50,45 @@ void EnoughSeeds::read_on() {
   while (!enough_ && read_.size() < seeds.size()) {
     const auto next = totals_of_seed(seeds[read_.size()]);
     if (!next) return;
-    read_.push_back(*next);
-    if (rule_.met(read_)) enough_ = read_.size();
+    take(*next);
   }
 }
 
+void EnoughSeeds::is_done(std::uint64_t seed) {
+  if (const auto totals = totals_of_seed(seed)) mine_[index_of(seed)] = *totals;
+}
+
+std::size_t EnoughSeeds::next_rows() const {
+  return enough_ ? 0 : std::min(rows_per_sum, ensemble_.scene.ensemble.seeds.size() - read_.size());
+}
+
+void EnoughSeeds::add_rows(std::vector<double>& sum) {
+  for (std::size_t i = read_.size(); i < read_.size() + next_rows(); ++i) {
+    if (elsewhere_.contains(i)) is_done(ensemble_.scene.ensemble.seeds[i]);
+    const auto row = mine_.find(i);
+    sum.push_back(row == mine_.end() ? 0 : 1);
+    const Numbers known = row == mine_.end() ? Numbers{} : std::bit_cast<Numbers>(row->second);
+    sum.insert(sum.end(), known.begin(), known.end());
+  }
+}
+
+bool EnoughSeeds::take_rows(std::span<const double>& sum) {
+  const std::size_t before = read_.size(), rows = next_rows();
+  const auto own = sum.first(rows * (1 + numbers));
+  sum = sum.subspan(own.size());
+  for (std::size_t k = 0; k < rows && !enough_; ++k) {
+    const auto row = own.subspan(k * (1 + numbers), 1 + numbers);
+    if (row[0] == 0) break;
+    Numbers known;
+    std::copy_n(row.begin() + 1, numbers, known.begin());
+    take(std::bit_cast<Totals>(known));
+  }
+  mine_.erase(mine_.begin(), mine_.lower_bound(read_.size()));
+  return read_.size() > before;
+}
+
 /// Nothing for a seed that is not done, or whose file is bad: running it says why.
-std::optional<postprocess::Totals> EnoughSeeds::totals_of_seed(std::uint64_t seed) const {
+std::optional<Totals> EnoughSeeds::totals_of_seed(std::uint64_t seed) const {
   // A file may get its final name between two looks.
   for (const auto& file : {run_file(ensemble_, seed), ahead_file(ensemble_, seed), run_file(ensemble_, seed)}) {
     if (!std::filesystem::exists(file)) continue;
@@ -48,7 +104,7 @@ std::optional<postprocess::Totals> EnoughSeeds::totals_of_seed(std::uint64_t see
 }
 
 void EnoughSeeds::settle() {
-  read_on();
+  if (learns_ == Learns::from_files) read_on();
   const auto& seeds = ensemble_.scene.ensemble.seeds;
   // A seed counts for certain as soon as those before it do not meet the rule, and once it is met no other does.
   const std::size_t certain = enough_.value_or(read_.size());
@@ -69,4 +125,4 @@ std::string EnoughSeeds::summary() const {
   return fmt::format("{} is not met by {} of {} seeds{}", rule_.text(), read_.size(), all, value);
 }
 
-}  // namespace clogflow::cli
+}  // namespace clogflow

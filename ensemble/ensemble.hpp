@@ -1,6 +1,8 @@
 // Many seeds of one or more scenes, done by all ranks of a call together.
 #pragma once
 
+#include "ensemble/enough_seeds.hpp"
+#include "ensemble/standing.hpp"
 #include "ensemble/worklist.hpp"
 
 namespace clogflow {
@@ -8,7 +10,16 @@ namespace clogflow {
 struct EnsembleCall {
   std::vector<Ensemble> ensembles;
   Launch launch;
+  Ranks* ranks = nullptr;        ///< of an MPI job, or a lone process; nullptr: they know each other by files only
   std::filesystem::path ledger;  ///< file, see ledger.hpp
+  std::vector<std::string> inputs = {};      ///< inputs_hash of each ensemble
+  std::vector<EnoughSeeds*> decisions = {};  ///< of --until, one an ensemble, or none
+};
+
+/// Who is told. With MPI, rank 0 is told of every rank's seeds, the others of nothing.
+struct Audience {
+  Reporter report;                                                 ///< of every seed
+  std::function<void(const Progress&, const Standing&)> progress;  ///< of this rank's run, and of all
 };
 
 /// As far as this rank knows; rank 0 knows all.
@@ -28,7 +39,7 @@ std::vector<std::string> check_directories(const EnsembleCall& call);
 /// Runs the seeds that have no run file yet, each from its saved state if there is one. A seed that fails
 /// is reported, leaves its reason in run_NNNN.failed, and does not stop the rest. States are saved every
 /// output.checkpoint_interval. A finished run that ends too early is lengthened. Other calls may be at work in the
-/// same directories: seeds are shared with them.
-EnsembleResult run_ensembles(const EnsembleCall& call, const Watcher& watcher, const Reporter& report);
+/// same directories: seeds are shared with them. With MPI: all ranks together.
+EnsembleResult run_ensembles(const EnsembleCall& call, const Audience& audience);
 
 }  // namespace clogflow

@@ -43,7 +43,21 @@ std::string call_of(const Launcher& launcher) {
   return call;
 }
 
+/// Of this process and no other.
+std::string own_name(const std::string& host) {
+  return fmt::format("{}.{}.{}", host, ::getpid(), std::chrono::system_clock::now().time_since_epoch().count());
+}
+
 }  // namespace
+
+Launch launch_of(Ranks& ranks) {
+  const std::string host = host_name();
+  return {.rank = ranks.rank(),
+          .count = ranks.count(),
+          .by_launcher = ranks.launched(),
+          .call = ranks.of_first(own_name(host)),
+          .host = host};
+}
 
 Launch launch_from_environment() {
   Launch launch;
@@ -56,9 +70,7 @@ Launch launch_from_environment() {
     launch.rank = *rank, launch.count = *count, launch.call = call_of(launcher), launch.by_launcher = true;
     break;
   }
-  if (launch.call.empty())
-    launch.call =
-        fmt::format("{}.{}.{}", launch.host, ::getpid(), std::chrono::system_clock::now().time_since_epoch().count());
+  if (launch.call.empty()) launch.call = own_name(launch.host);
   return launch;
 }
 

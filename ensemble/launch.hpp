@@ -3,10 +3,10 @@
 
 #include <string>
 
+#include "ensemble/ranks.hpp"
+
 namespace clogflow {
 
-/// The ranks of an ensemble share a directory and no messages, so a rank that dies can neither stop nor hang
-/// the others. All that a launcher (mpirun, srun) has to tell is in the environment.
 struct Launch {
   int rank = 0, count = 1;
   bool by_launcher = false;
@@ -14,7 +14,12 @@ struct Launch {
   std::string host;
 };
 
-/// A process that no launcher started is rank 0 of 1. \throws Error if the environment contradicts itself
+/// All ranks together.
+Launch launch_of(Ranks& ranks);
+
+/// Without MPI (--no-mpi) the processes share a directory and no messages, so one that dies can neither stop nor hang
+/// the others. All that a launcher (mpirun, srun) has to tell is in the environment. A process that no launcher started
+/// is rank 0 of 1. \throws Error if the environment contradicts itself
 Launch launch_from_environment();
 
 }  // namespace clogflow

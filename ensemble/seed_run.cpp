@@ -158,7 +158,8 @@ std::string inputs_hash(const Ensemble& ensemble) {
   std::string inputs;
   if (const FlowGrid* flow = ensemble.flow) {
     inputs = flow->hash;
-    inputs.append(reinterpret_cast<const char*>(flow->velocity.data()), flow->velocity.size() * sizeof(float));
+    const std::span<const float> field = flow->field();
+    inputs.append(reinterpret_cast<const char*>(field.data()), field.size_bytes());
   }
   for (const std::string& file : {ensemble.scene.particles.initial, ensemble.scene.geometry.stl})
     if (!file.empty()) inputs += read_text_file(file);

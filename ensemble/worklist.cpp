@@ -57,17 +57,23 @@ Worklist::Worklist(Call call)
     : call_(std::move(call)),
       jobs_(jobs_of(call_.ensembles)),
       settled_(jobs_.size(), 0),
-      position_(static_cast<std::size_t>(call_.launch.rank)) {}
+      position_(static_cast<std::size_t>(call_.launch.rank)) {
+  if (!call_.ranks) return;
+  // One rank looks, so that all agree.
+  for (std::size_t k = 0; k < jobs_.size() && call_.ranks->is_first(); ++k) done_before_ += has_result(k) ? '1' : '0';
+  done_before_ = call_.ranks->of_first(done_before_);
+}
+
+std::size_t Worklist::not_done_before() const {
+  return static_cast<std::size_t>(std::ranges::count(done_before_, '0'));
+}
 
 std::vector<Job> Worklist::done_before() {
   std::vector<Job> done;
   const auto count = static_cast<std::size_t>(call_.launch.count);
   for (auto k = static_cast<std::size_t>(call_.launch.rank); k < jobs_.size(); k += count) {
-    const Ensemble& e = ensemble(k);
     if (SeedLock::is_there(file(k))) claim(k);
-    std::error_code ignored;
-    if (std::filesystem::exists(file(k), ignored) ||
-        (e.wanted && std::filesystem::exists(ahead_file(e, jobs_[k].seed), ignored))) {
+    if (call_.ranks ? done_before_[k] == '1' : has_result(k)) {
       done.push_back(jobs_[k]);
       settled_[k] = 1;
     }
@@ -75,7 +81,24 @@ std::vector<Job> Worklist::done_before() {
   return done;
 }
 
+std::optional<Claim> Worklist::next_of_counter() {
+  while (!must_stop()) {
+    const auto k = static_cast<std::size_t>(call_.ranks->next());
+    if (k >= jobs_.size()) break;
+    if (done_before_[k] == '1' || settled_[k]) continue;
+    if (auto mine = claim(k)) return mine;
+    if (settled_[k]) continue;
+    // What it makes of the job is its result.
+    settled_[k] = 1;
+    const std::string holder = SeedLock::holder(file(k));
+    if (!has_result(k)) other_ = holder.substr(holder.find(' ') + 1), ++left_to_others_;
+    call_.awaited(jobs_[k], other_);
+  }
+  return {};
+}
+
 std::optional<Claim> Worklist::next() {
+  if (call_.ranks) return next_of_counter();
   while (!open_ && !must_stop()) {
     const std::size_t k = first_free(position_);
     if (k >= jobs_.size()) break;
@@ -99,13 +122,16 @@ std::size_t Worklist::first_free(std::size_t from) const {
   return free;
 }
 
-bool Worklist::is_settled(std::size_t k) const {
-  if (settled_[k]) return true;
+bool Worklist::has_result(std::size_t k) const {
   const Ensemble& e = ensemble(k);
   std::error_code ignored;
-  if (std::filesystem::exists(file(k), ignored)) return true;
-  if (e.wanted && (std::filesystem::exists(ahead_file(e, jobs_[k].seed), ignored) || !e.wanted(jobs_[k].seed)))
-    return true;
+  return std::filesystem::exists(file(k), ignored) ||
+         (e.wanted && std::filesystem::exists(ahead_file(e, jobs_[k].seed), ignored));
+}
+
+bool Worklist::is_settled(std::size_t k) const {
+  if (settled_[k] || has_result(k)) return true;
+  if (const Ensemble& e = ensemble(k); e.wanted && !e.wanted(jobs_[k].seed)) return true;
   std::ifstream failure(failure_file(file(k)));
   std::string call;
   return std::getline(failure, call) && call == call_.launch.call;
@@ -121,7 +147,8 @@ std::optional<Claim> Worklist::claim(std::size_t k) {
     if (!lock) return {};
     if (!lock->works()) {
       without_locks_ = true;
-      if (k % static_cast<std::size_t>(call_.launch.count) != static_cast<std::size_t>(call_.launch.rank))
+      if (!call_.ranks &&
+          k % static_cast<std::size_t>(call_.launch.count) != static_cast<std::size_t>(call_.launch.rank))
         settled_[k] = 1;
     }
     if (is_settled(k)) {

@@ -30,25 +30,33 @@ struct Claim {
   SeedLock lock;
 };
 
-/// Hands out what nobody has done and nobody is at work on. The lock decides; finding a free job takes about
-/// log(jobs) looks at the directory, since jobs are taken in order. What a dead process left is found at the
-/// end, by the ranks that stay until everything is settled.
+/// Hands out what nobody has done and nobody is at work on. The lock decides between calls.
+///
+/// Ranks of an MPI job take the jobs in order, from a counter; what another call has is left to it.
+/// Without MPI a free job is found by about log(jobs) looks at the directory, since jobs are taken in order. What a
+/// dead process left is found at the end, by the processes that stay until everything is settled.
 class Worklist {
 public:
   struct Call {
     const std::vector<Ensemble>& ensembles;
     const Launch& launch;
+    Ranks* ranks;  ///< nullptr: without MPI
     using Told = std::function<void(const Job&, const std::string&)>;
     Told refused;  ///< a job that cannot be claimed, and why
-    Told awaited;  ///< a job that must be waited for, and who has it
+    Told awaited;  ///< a job that must be waited for, or is left, and who has it
   };
+  /// With MPI: all ranks together.
   explicit Worklist(Call call);
+
+  /// Jobs that were not done when the call began; with MPI only.
+  std::size_t not_done_before() const;
 
   /// The jobs of this rank's share that were done before, to be checked; what dead processes left locked is
   /// unlocked.
   std::vector<Job> done_before();
 
-  /// Waits while others are at work on the last jobs. Nothing when all are settled or the call must stop.
+  /// Without MPI it waits while others are at work on the last jobs. Nothing when all are settled or the call must
+  /// stop.
   std::optional<Claim> next();
 
   /// This process is not to try the job again.
@@ -79,11 +87,13 @@ private:
 
   const Ensemble& ensemble(std::size_t k) const { return call_.ensembles[jobs_[k].ensemble]; }
   std::filesystem::path file(std::size_t k) const { return run_file(ensemble(k), jobs_[k].seed); }
+  bool has_result(std::size_t k) const;
   bool is_settled(std::size_t k) const;
   bool is_over(std::size_t k) const;
   bool is_taken(std::size_t k) const { return is_settled(k) || SeedLock::is_there(file(k)); }
   std::size_t first_free(std::size_t from) const;
   std::optional<Claim> claim(std::size_t k);
+  std::optional<Claim> next_of_counter();
   std::optional<Claim> next_left();
   Look look(std::size_t k);
   void pause() const;
@@ -91,6 +101,7 @@ private:
   Call call_;
   std::vector<Job> jobs_;
   std::vector<std::uint8_t> settled_;             // as far as this process knows
+  std::string done_before_;                       // with MPI: "1" where there was a result
   std::size_t position_;                          // where the untouched jobs begin, or before
   std::optional<std::vector<std::size_t>> open_;  // at the end: what is not settled
   std::optional<std::size_t> seen_elsewhere_, awaited_;

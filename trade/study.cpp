@@ -51,6 +51,8 @@ std::string refusal_of(const Study& study, const Setting& setting) {
   return "";
 }
 
+void check_study(const Study& study) { settings_to_run(study, read_scene(study.scene_file, study.overrides)); }
+
 void run_study(const Study& study, Ranks& ranks, const std::function<void(const std::string&)>& say) {
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::duration<double>(study.budget);
@@ -58,7 +60,11 @@ void run_study(const Study& study, Ranks& ranks, const std::function<void(const 
   const std::vector<Setting> settings = settings_to_run(study, base);
   const auto& seeds = base.ensemble.seeds;
   std::atomic<bool> stop = false;
+  const auto hear = [&] {
+    for (const std::string& line : ranks.told()) say(line);
+  };
   const auto look = [&](const Progress&) {
+    hear();
     if (Clock::now() >= end || (study.stop && study.stop->load())) stop = true;
   };
   const std::size_t count = settings.size() * seeds.size();
@@ -72,10 +78,12 @@ void run_study(const Study& study, Ranks& ranks, const std::function<void(const 
     const Ensemble ensemble{scene_of(study, setting), study.flow, folder, &stop};
     run_one_seed(ensemble, seed, look, [&](const SeedReport& report) {
       if (report.failed) put_down(report.line, refusal_file(folder, seed));
-      if (!report.note) say(fmt::format("{}, seed {}: {}", setting.name, seed, report.line));
+      if (report.note) return;
+      const std::string line = fmt::format("{}, seed {}: {}", setting.name, seed, report.line);
+      ranks.is_first() ? say(line) : ranks.tell_first(line);
     });
   }
-  ranks.sum(0);  // nobody reads before everybody has written
+  ranks.wait(hear);  // nobody reads before everybody has written
 }
 
 }  // namespace clogflow::trade

@@ -30,9 +30,12 @@ Scene scene_of(const Study& study, const Setting& setting);
 /// Folder of the run files of one setting.
 std::filesystem::path folder_of(const Study& study, const Setting& setting);
 
+/// \throws Error if `only` names an unknown setting, or the scene is none
+void check_study(const Study& study);
+
 /// Runs what is missing: seed by seed, so that whenever the budget ends the settings have equal seeds.
 /// Finished runs are kept, interrupted ones go on; a setting that the program refuses leaves the
-/// reason in its folder and is not tried again. \throws Error if `only` names an unknown setting
+/// reason in its folder and is not tried again. Rank 0 says it all. All ranks together. \throws Error as check_study
 void run_study(const Study& study, Ranks& ranks, const std::function<void(const std::string&)>& say);
 
 /// Why a setting was refused, or an empty text.

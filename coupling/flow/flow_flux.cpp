@@ -37,7 +37,7 @@ void check_covers_walls(const FlowGrid& grid, const Scene& scene) {
 double grid_flux(const FlowGrid& grid, int i) {
   double sum = 0;
   for (int k = 0; k < grid.points[2]; ++k) {
-    for (int j = 0; j < grid.points[1]; ++j) sum += grid.velocity[3 * grid.index(i, j, k)];
+    for (int j = 0; j < grid.points[1]; ++j) sum += grid.field()[3 * grid.index(i, j, k)];
   }
   return sum * grid.spacing * grid.spacing;
 }

@@ -20,9 +20,9 @@ LookupError lookup_error(const FlowGrid& grid, double speed) {
         for (std::size_t c = 0; c < 3; ++c) {
           double curvature = 0;
           for (const std::size_t s : step) {
-            const double before = grid.velocity[3 * (at - s) + c];
-            const double here = grid.velocity[3 * at + c];
-            const double after = grid.velocity[3 * (at + s) + c];
+            const double before = grid.field()[3 * (at - s) + c];
+            const double here = grid.field()[3 * at + c];
+            const double after = grid.field()[3 * (at + s) + c];
             curvature += before - 2 * here + after;
             slope += std::pow((after - before) / 2, 2);
           }

@@ -5,10 +5,11 @@
 
 namespace clogflow {
 
-FlowField::FlowField(const FlowGrid& grid, Lookup lookup) : grid_(&grid), lookup_(lookup) {
+FlowField::FlowField(const FlowGrid& grid, Lookup lookup) : grid_(&grid), field_(grid.field().data()), lookup_(lookup) {
+  const std::span<const float> field = grid.field();
   double fastest2 = 0;
-  for (std::size_t k = 0; k + 2 < grid.velocity.size(); k += 3) {
-    const double u = grid.velocity[k], v = grid.velocity[k + 1], w = grid.velocity[k + 2];
+  for (std::size_t k = 0; k + 2 < field.size(); k += 3) {
+    const double u = field[k], v = field[k + 1], w = field[k + 2];
     fastest2 = std::max(fastest2, u * u + v * v + w * w);
   }
   largest_speed_ = std::sqrt(fastest2);
@@ -22,7 +23,7 @@ std::array<double, 3> FlowField::at(double x, double y, double z) const {
 
 bool FlowField::set_nearest(FlowTask& task) const {
   if (!grid_ || lookup_ != Lookup::nearest) return false;
-  task.velocity = grid_->velocity.data();
+  task.velocity = field_;
   task.points_per_length = 1 / grid_->spacing;
   for (int a = 0; a < 3; ++a) task.origin[a] = grid_->origin[a], task.points[a] = grid_->points[a];
   return true;

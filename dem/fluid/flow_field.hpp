@@ -36,9 +36,10 @@ public:
 private:
   std::array<double, 3> nearest(const Vec3& place) const;
   std::array<double, 3> trilinear(const Vec3& place) const;
-  const float* point(int i, int j, int k) const { return grid_->velocity.data() + 3 * grid_->index(i, j, k); }
+  const float* point(int i, int j, int k) const { return field_ + 3 * grid_->index(i, j, k); }
 
   const FlowGrid* grid_ = nullptr;
+  const float* field_ = nullptr;  // of the grid
   Lookup lookup_ = Lookup::nearest;
   std::array<double, 3> uniform_{};
   double largest_speed_ = 0;

@@ -91,6 +91,41 @@ TEST_F(EnsembleFiles, AreTheSameOnAnyNumberOfRanks) {
   }
 }
 
+TEST_F(EnsembleFiles, ProcessesWithoutMpiMakeTheSame) {
+  const Outcome alone = run("", "alone");
+  ASSERT_EQ(alone.status, 0) << alone.text;
+  const Outcome apart = run(mpirun(3), "apart", "--no-mpi");
+  ASSERT_EQ(apart.status, 0) << apart.text;
+  for (const std::uint64_t seed : {1, 2, 3, 4}) expect_same(read("alone", seed), read("apart", seed));
+}
+
+TEST_F(EnsembleFiles, RankZeroSaysWhatAllDid) {
+  const Outcome outcome = run(mpirun(3), "out");
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  for (const int seed : {1, 2, 3, 4}) {
+    const std::string line = fmt::format("seed {}: 0.006001 s simulated in ", seed);
+    const auto first = outcome.text.find(line);
+    ASSERT_NE(first, std::string::npos) << outcome.text;
+    EXPECT_EQ(outcome.text.find(line, first + 1), std::string::npos) << outcome.text;
+  }
+}
+
+TEST_F(EnsembleFiles, LaunchersThatCannotBeServedAreToldWhatToDo) {
+  const Outcome recovery = run(mpirun(2) + "--enable-recovery ", "out");
+  // mpirun itself then takes every end for a good one.
+  EXPECT_THAT(recovery.text,
+              HasSubstr("clog: mpirun --enable-recovery (wants --no-mpi: a rank that dies would leave the "
+                        "others waiting)\n"));
+  const Outcome srun = run("env -u PMIX_RANK SLURM_STEP_ID=0 SLURM_NTASKS=4 SLURM_PROCID=0 ", "out");
+  EXPECT_NE(srun.status, 0);
+  EXPECT_EQ(
+      srun.text,
+      "clog: srun started 4 processes and gives MPI no means to bring them together: give srun --mpi=pmix, or clog "
+      "run --no-mpi\n");
+  EXPECT_EQ(run("env SLURM_STEP_ID=0 SLURM_NTASKS=4 SLURM_PROCID=1 ", "out").text, "");
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "out"));
+}
+
 TEST_F(EnsembleFiles, FinishedSeedsAreSkipped) {
   ASSERT_EQ(run("", "out", "--seeds 2").status, 0);
   const auto file = folder_.path() / "out" / run_file_name(2);

@@ -80,6 +80,18 @@ TEST_F(Until, ThreeRanksDecideTheSameAndWhatTheyDidAheadDoesNotCount) {
   EXPECT_THAT(stats.said(), HasSubstr(": 4 seeds, "));
 }
 
+TEST_F(Until, SeedsThatAnotherCallHasAreTakenWhenTheyAreDone) {
+  ASSERT_NO_FATAL_FAILURE(run_all());
+  const Program first = start("two", rule_);
+  const Program second(words("two", rule_), job_.path("log_second"));
+  EXPECT_EQ(first.wait(), 0) << first.said();
+  EXPECT_EQ(second.wait(), 0) << second.said();
+  const Program last = start("two", rule_);
+  EXPECT_EQ(last.wait(), 0) << last.said();
+  EXPECT_THAT(last.said(), HasSubstr("is met by the first 4 of 8 seeds"));
+  expect_first_four("two");
+}
+
 TEST_F(Until, KilledAndCalledAgainItDecidesTheSame) {
   ASSERT_NO_FATAL_FAILURE(run_all());
   std::mt19937 random{7};
@@ -89,10 +101,15 @@ TEST_F(Until, KilledAndCalledAgainItDecidesTheSame) {
     program.send(call % 2 ? SIGKILL : SIGTERM);
     program.wait();
   }
-  MpiJob mpi({"--enable-recovery", "-np", "3"}, words("killed", rule_), job_.path("log_killed"));
-  for (int k = 0; k < 2000 && mpi.ranks().size() < 3 && !mpi.ended(); ++k) sleep_ms(1);
-  if (!mpi.ended() && !mpi.ranks().empty()) ::kill(mpi.ranks().back(), SIGKILL);
-  mpi.wait();
+  auto without = words("killed", rule_);
+  without.emplace_back("--no-mpi");
+  for (const auto& [options, call] : {std::pair{std::vector<std::string>{"-np", "3"}, words("killed", rule_)},
+                                      std::pair{std::vector<std::string>{"--enable-recovery", "-np", "3"}, without}}) {
+    MpiJob mpi(options, call, job_.path("log_killed"));
+    for (int k = 0; k < 2000 && mpi.ranks().size() < 3 && !mpi.ended(); ++k) sleep_ms(1);
+    if (!mpi.ended() && !mpi.ranks().empty()) ::kill(mpi.ranks().back(), SIGKILL);
+    mpi.wait();
+  }
   const Program last = start("killed", rule_);
   EXPECT_EQ(last.wait(), 0) << last.said();
   expect_first_four("killed");
