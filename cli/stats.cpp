@@ -9,6 +9,7 @@
 #include "coupling/base/require.hpp"
 #include "coupling/base/units.hpp"
 #include "coupling/scene/unclog_protocol.hpp"
+#include "ensemble/ranks.hpp"
 #include "postprocess/output/statistics_files.hpp"
 
 namespace clogflow::cli {
@@ -118,6 +119,9 @@ void add_stats(CLI::App& app) {
       ->capture_default_str();
   verb->add_option("--seed", job->request.resampling.seed, "of all bootstraps")->capture_default_str();
   verb->callback([job, threshold] {
+    // Seconds of work, once: ranks would write the same files at the same time.
+    const Ranks ranks;
+    if (!ranks.is_first()) return;
     if (!threshold->empty()) job->threshold = threshold_seconds(*threshold);
     const auto statistics = postprocess::write_statistics(*job);
     print_summary(statistics);

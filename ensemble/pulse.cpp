@@ -1,8 +1,8 @@
 #include "ensemble/pulse.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <thread>
+
+#include "ensemble/nap.hpp"
 
 namespace clogflow {
 
@@ -50,7 +50,7 @@ void Pulse::beat(const Standing& mine) {
 void Pulse::settle(const Standing& mine) {
   for (bool is_new = true; is_new;) {
     if (!under_way_) begin(mine);
-    for (;; std::this_thread::sleep_for(Ranks::between_looks)) {
+    for (Nap nap;; nap()) {
       ranks_.serve();
       const auto sum = ranks_.ended_sum();
       if (!sum) continue;
@@ -62,11 +62,10 @@ void Pulse::settle(const Standing& mine) {
 
 void Pulse::finish(Standing mine, const std::function<void()>& meanwhile) {
   mine.finished = 1;
-  while (true) {
+  for (Nap nap;; nap()) {
     beat(mine);
     meanwhile();
     if (is_last_) return;
-    std::this_thread::sleep_for(ranks_.count() > 1 ? Ranks::between_looks : std::chrono::milliseconds(0));
   }
 }
 

@@ -23,7 +23,7 @@ public:
   /// Until nothing new comes of it. All ranks together.
   void settle(const Standing& mine);
 
-  /// Until all ranks have finished. \param meanwhile  done some 50 times a second
+  /// Until all ranks have finished. \param meanwhile  done at least 50 times a second
   void finish(Standing mine, const std::function<void()>& meanwhile);
 
   const Standing& all() const { return all_; }

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <deque>
 #include <exception>
-#include <thread>
+#include <filesystem>
 #include <utility>
 
 #include <mpi.h>
@@ -16,6 +16,7 @@
 #include "coupling/base/environment.hpp"
 #include "coupling/base/expect.hpp"
 #include "coupling/base/require.hpp"
+#include "ensemble/nap.hpp"
 
 namespace clogflow {
 
@@ -23,7 +24,7 @@ namespace {
 
 constexpr int line_tag = 1, want_tag = 2, number_tag = 3;
 constexpr std::chrono::seconds between_roll_calls{1};
-constexpr std::chrono::microseconds shortest_nap{50}, longest_nap{5000};
+constexpr std::size_t own_of_mpi = std::size_t{4} << 20;  // beside the numbers, in shared memory [byte]
 constexpr std::size_t numbers_per_message = std::size_t{1} << 28;
 
 /// MPI is started only under mpirun or srun: a lone process needs none of it.
@@ -48,14 +49,21 @@ void check_launcher() {
                   tasks));
 }
 
-/// MPI's own waiting spins, which takes the core from those that are waited for where ranks share cores.
 void patiently(MPI_Request& request) {
-  for (auto nap = shortest_nap;; nap = std::min(2 * nap, longest_nap)) {
+  for (Nap nap;; nap()) {
     int done = 0;
     MPI_Test(&request, &done, MPI_STATUS_IGNORE);
     if (done) return;
-    std::this_thread::sleep_for(nap);
   }
+}
+
+/// Open MPI would tell one rank, and let the others wait for it.
+void require_shared_memory(std::size_t bytes) {
+  std::error_code none;
+  const auto space = std::filesystem::space("/dev/shm", none);
+  require(none || bytes + own_of_mpi < space.available,
+          "/dev/shm has room for {} MB, and the flow takes {} there: enlarge it, or give --no-mpi",
+          space.available >> 20, (bytes + own_of_mpi) >> 20);
 }
 
 template <class Begin>
@@ -297,15 +305,10 @@ std::shared_ptr<const float[]> Ranks::once_per_node(std::span<const float> of_fi
   MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, rank_, MPI_INFO_NULL, &memory.node);
   int on_node = 0;
   MPI_Comm_rank(memory.node, &on_node);
-  MPI_Comm_set_errhandler(memory.node, MPI_ERRORS_RETURN);
-  const auto bytes = static_cast<MPI_Aint>(on_node == 0 ? size * sizeof(float) : 0);
-  const int failed =
-      MPI_Win_allocate_shared(bytes, sizeof(float), MPI_INFO_NULL, memory.node, &memory.numbers, &memory.window);
-  together([&] {
-    require(failed == MPI_SUCCESS,
-            "a node has no room for {} MB of flow in shared memory: enlarge its /dev/shm, or give --no-mpi",
-            (size * sizeof(float)) >> 20);
-  });
+  const std::size_t bytes = on_node == 0 ? size * sizeof(float) : 0;
+  together([&] { require_shared_memory(bytes); });
+  MPI_Win_allocate_shared(static_cast<MPI_Aint>(bytes), sizeof(float), MPI_INFO_NULL, memory.node, &memory.numbers,
+                          &memory.window);
   MPI_Aint held = 0;
   int unit = 0;
   MPI_Win_shared_query(memory.window, 0, &held, &unit, &memory.numbers);
@@ -334,13 +337,14 @@ void Ranks::abandon(const std::string& why) {
 void Ranks::wait(const std::function<void()>& meanwhile) {
   if (!job_) return;
   MPI_Request all = MPI_REQUEST_NULL;
+  Nap nap;
   for (int done = 0; !done;) {
     serve();
     // A line is there when it was taken, so whoever has come here has none on its way.
     if (all == MPI_REQUEST_NULL && job_->letters.empty()) MPI_Ibarrier(MPI_COMM_WORLD, &all);
     if (all != MPI_REQUEST_NULL) MPI_Test(&all, &done, MPI_STATUS_IGNORE);
     if (meanwhile) meanwhile();
-    if (!done) std::this_thread::sleep_for(between_looks);
+    if (!done) nap();
   }
 }
 

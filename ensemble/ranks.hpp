@@ -1,7 +1,6 @@
 // The processes of one MPI job: who they are, what they tell each other, and how they wait.
 #pragma once
 
-#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -19,9 +18,6 @@ namespace clogflow {
 class Ranks {
 public:
   enum class Use { mpi, none };
-
-  /// While a rank has nothing to do but to serve.
-  static constexpr std::chrono::milliseconds between_looks{20};
 
   /// \throws Error if a launcher started several processes that MPI would not bring together
   explicit Ranks(Use use = Use::mpi);
@@ -64,7 +60,7 @@ public:
   std::shared_ptr<const float[]> once_per_node(std::span<const float> of_first);
 
   /// Until all ranks have come here; the lines of the others reach rank 0 before. All ranks together.
-  /// \param meanwhile  done some 50 times a second
+  /// \param meanwhile  done at least 50 times a second
   void wait(const std::function<void()>& meanwhile = {});
 
   /// Ends the whole job, if there is one, since this rank cannot go on; its last words go to standard error.

@@ -181,5 +181,23 @@ TEST(UnknownVerb, IsNamedWithTheNearest) {
   }
 }
 
+TEST(FullSharedMemory, IsSaidByOneRankBeforeAnySeed) {
+  if (geteuid() != 0 || std::system("unshare --mount true 2> /dev/null") != 0)
+    GTEST_SKIP() << "needs the right to mount a small /dev/shm";
+  const SmallJob job({"time.end=2 ms"});
+  const std::string words = fmt::format(
+      "mount -t tmpfs -o size=2M none /dev/shm && mpirun --allow-run-as-root --oversubscribe -np 2 {} run {} --flow {} "
+      "--out {} --seeds 1-2",
+      CLOG_PROGRAM, job.path("scene.toml").string(), job.path("flow.h5").string(), job.path("out").string());
+  const std::string log = job.path("log_memory").string();
+  EXPECT_NE(std::system(fmt::format("unshare --mount sh -c '{}' > {} 2>&1", words, log).c_str()), 0);
+  const std::string said = text_of(log), what = "clog: /dev/shm has room for ";
+  const auto first = said.find(what);
+  ASSERT_NE(first, std::string::npos) << said;
+  EXPECT_THAT(said, HasSubstr(" there: enlarge it, or give --no-mpi\n"));
+  EXPECT_EQ(said.find(what, first + 1), std::string::npos) << said;
+  EXPECT_FALSE(std::filesystem::exists(job.path("out")));
+}
+
 }  // namespace
 }  // namespace clogflow::test
