@@ -18,7 +18,10 @@ constexpr double renew_every = 0.5, say_every = 60;
 /// What is too short to tell the time left from [s]
 constexpr double too_early = 2;
 
-std::string seeds_of(const Standing& all) { return fmt::format("{:.0f} of {:.0f} seeds", all.done, all.jobs); }
+std::string seeds_of(const Standing& all) {
+  return all.jobs > 0 ? fmt::format("{:.0f} of {:.0f} seeds", all.done, all.jobs)
+                      : fmt::format("{:.0f} seeds", all.done);
+}
 
 }  // namespace
 
@@ -29,7 +32,8 @@ std::string standing_line(const Standing& all, double seconds) {
                         at_work, all.filling, all.flowing, all.clogged, all.particle_steps);
   line += fmt::format(", {:.0f} passages", all.passages);
   const double behind = all.done + all.share;
-  if (seconds > too_early && behind > 0) line += fmt::format(", {:.0f} s left", seconds * (all.jobs - behind) / behind);
+  if (seconds > too_early && behind > 0 && all.jobs > 0)
+    line += fmt::format(", {:.0f} s left", seconds * (all.jobs - behind) / behind);
   return line;
 }
 
@@ -57,9 +61,9 @@ void Display::show(const Progress& run, const Standing& all) {
   const auto now = Clock::now();
   const double passed = std::chrono::duration<double>(now - last_time_).count();
   if (passed < (is_terminal_ ? renew_every : say_every)) return;
-  const std::string line = !is_alone_     ? standing_line(all, std::chrono::duration<double>(now - begin_).count())
-                           : all.jobs > 1 ? seeds_of(all) + "  " + run_line(run, passed)
-                                          : run_line(run, passed);
+  const std::string line = !is_alone_      ? standing_line(all, std::chrono::duration<double>(now - begin_).count())
+                           : all.jobs != 1 ? seeds_of(all) + "  " + run_line(run, passed)
+                                           : run_line(run, passed);
   last_ = run;
   last_time_ = now;
   put(stderr, is_terminal_ ? "\r\033[K" + line : "clog: " + line + "\n");

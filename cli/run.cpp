@@ -118,9 +118,8 @@ void prepare_directories(const EnsembleCall& call) {
 using Decisions = std::vector<std::unique_ptr<EnoughSeeds>>;
 
 /// One decision an ensemble, or none.
-Decisions decide_by(const std::string& until, EnsembleCall& call) {
+Decisions make_decisions(const std::string& until, EnsembleCall& call) {
   Decisions decisions;
-  if (until.empty()) return decisions;
   const postprocess::StoppingRule rule(until);
   const auto learns = call.ranks ? EnoughSeeds::Learns::from_ranks : EnoughSeeds::Learns::from_files;
   for (Ensemble& ensemble : call.ensembles) {
@@ -128,6 +127,14 @@ Decisions decide_by(const std::string& until, EnsembleCall& call) {
     call.decisions.push_back(decisions.back().get());
     ensemble.wanted = [decision = decisions.back().get()](std::uint64_t seed) { return decision->wanted(seed); };
   }
+  return decisions;
+}
+
+Decisions decide_by(const std::string& until, EnsembleCall& call) {
+  if (until.empty()) return {};
+  if (!call.ranks) return without_mpi(call.launch, [&] { return make_decisions(until, call); });
+  Decisions decisions;
+  call.ranks->together([&] { decisions = make_decisions(until, call); });
   return decisions;
 }
 
@@ -140,7 +147,9 @@ void say(const Decisions& decisions, const EnsembleCall& call, const EnsembleRes
     if (decisions[i]->is_met())
       fmt::print("{}\n", line);
     else if (result.left_to_others > 0)
-      fmt::print("{} so far: other calls are at work on the rest\n", line);
+      fmt::print("{} so far: other calls are at work on some of them\n", line);
+    else if (result.stopped > 0)
+      fmt::print("{} so far: stopped, the same call goes on\n", line);
     else
       not_met.push_back(line);
   }
@@ -156,6 +165,8 @@ void conclude(const EnsembleCall& call, const EnsembleResult& result, const std:
   if (call.launch.count > 1 && result.busy > 0)
     fmt::print("{} ranks, busy {:.1f} % of {:.1f} s\n", call.launch.count,
                100 * result.busy / (result.duration * call.launch.count), result.duration);
+  if (stop_asked && result.begun == 0 && result.to_do > 0)
+    fmt::print("stopped before any seed began: the same call begins\n");
   if (result.left_to_others > 0)
     fmt::print("{} of {} seeds are left to other calls that are at work on them{}{}\n", result.left_to_others, seeds,
                result.other.empty() ? "" : ", such as ", result.other);
@@ -163,18 +174,14 @@ void conclude(const EnsembleCall& call, const EnsembleResult& result, const std:
   require(result.unrecorded == 0, "{} seeds are done but not listed in {}", result.unrecorded, call.ledger.string());
 }
 
-void run(const RunOptions& options) {
-  stop_at({SIGTERM, SIGINT, SIGALRM});
-  if (!options.time_limit.empty()) stop_after(options.time_limit);
-  Ranks ranks(options.use);
+void run_on(const RunOptions& options, Ranks& ranks) {
+  ranks.together([&] {
+    if (!options.time_limit.empty()) stop_after(options.time_limit);
+  });
   const Launch launch = options.use == Ranks::Use::none ? launch_from_environment() : launch_of(ranks);
   const auto points = points_for(options, launch, ranks);
   EnsembleCall call = call_for(points, options, launch, ranks);
-  Decisions decisions;
-  if (!call.ranks)
-    decisions = without_mpi(launch, [&] { return decide_by(options.until, call); });
-  else
-    ranks.together([&] { decisions = decide_by(options.until, call); });
+  const Decisions decisions = decide_by(options.until, call);
   prepare_directories(call);
   Display display(launch);
   const EnsembleResult result = run_ensembles(
@@ -185,13 +192,21 @@ void run(const RunOptions& options) {
                  },
              .progress = [&](const Progress& progress, const Standing& all) { display.show(progress, all); }});
   display.clear();
-  for (const auto& decision : decisions) decision->settle();
-  ranks.wait();
+  ranks.together([&] {
+    for (const auto& decision : decisions) decision->settle(ranks.rank(), ranks.count());
+  });
+  ranks.part();
   conclude(call, result, options.out);
   if (launch.rank == 0) say(decisions, call, result);
   // Not for ranks: launchers kill all when one ends otherwise, and may meet the others at saving their states.
   if (!result.complete && !launch.by_launcher && (stop_signal == SIGINT || stop_signal == SIGTERM))
     throw EndWithStatus{128 + stop_signal};
+}
+
+void run(const RunOptions& options) {
+  stop_at({SIGTERM, SIGINT, SIGALRM});
+  Ranks ranks(options.use);
+  ranks.run([&] { run_on(options, ranks); });
 }
 
 }  // namespace

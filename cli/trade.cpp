@@ -43,10 +43,7 @@ void combine_studies(const TradeOptions& options) {
   publish_file(trade::combine(studies).dump(1) + "\n", options.out);
 }
 
-void run(const TradeOptions& options) {
-  if (!options.combine.empty()) return combine_studies(options);
-  require(!options.scene.empty(), "clog trade needs a scene, or --combine");
-  Ranks ranks;
+void run_on(const TradeOptions& options, Ranks& ranks) {
   trade::Study study{options.scene, options.overrides, nullptr, options.out, budget_seconds(options.budget),
                      &stop_asked,   options.settings};
   FlowGrid flow;
@@ -55,13 +52,8 @@ void run(const TradeOptions& options) {
     trade::check_study(study);
   });
   if (!options.flow.empty()) study.flow = &(flow = shared_flow(flow, ranks));
-  stop_at({SIGTERM, SIGINT});
-  try {
-    trade::run_study(study, ranks, [](const std::string& line) { put(stdout, line + "\n"); });
-  } catch (const std::exception& error) {
-    ranks.abandon(error.what());
-    throw;
-  }
+  trade::run_study(study, ranks, [](const std::string& line) { put(stdout, line + "\n"); });
+  ranks.part();
   if (!ranks.is_first()) return;
   const nlohmann::json results = trade::study_results(study);
   publish_file(results.dump(1) + "\n", options.out / "trade.json");
@@ -70,6 +62,14 @@ void run(const TradeOptions& options) {
   fmt::print("{}", table);
   for (const fs::path& file : postprocess::make_trade_figure(options.out / "trade.json", options.out))
     fmt::print("{}\n", file.string());
+}
+
+void run(const TradeOptions& options) {
+  if (!options.combine.empty()) return combine_studies(options);
+  require(!options.scene.empty(), "clog trade needs a scene, or --combine");
+  stop_at({SIGTERM, SIGINT});
+  Ranks ranks;
+  ranks.run([&] { run_on(options, ranks); });
 }
 
 }  // namespace

@@ -22,6 +22,14 @@ constexpr std::size_t numbers = sizeof(Totals) / sizeof(double);
 using Numbers = std::array<double, numbers>;
 static_assert(sizeof(Totals) == sizeof(Numbers));
 
+std::set<std::string> names_in(const std::filesystem::path& directory) {
+  std::set<std::string> names;
+  std::error_code none_yet;
+  for (const auto& entry : std::filesystem::directory_iterator(directory, none_yet))
+    names.insert(entry.path().filename().string());
+  return names;
+}
+
 }  // namespace
 
 EnoughSeeds::EnoughSeeds(postprocess::StoppingRule rule, Ensemble ensemble, Learns learns)
@@ -64,7 +72,7 @@ std::size_t EnoughSeeds::next_rows() const {
 
 void EnoughSeeds::add_rows(std::vector<double>& sum) {
   for (std::size_t i = read_.size(); i < read_.size() + next_rows(); ++i) {
-    if (elsewhere_.contains(i)) is_done(ensemble_.scene.ensemble.seeds[i]);
+    if (elsewhere_.contains(i) && !mine_.contains(i)) is_done(ensemble_.scene.ensemble.seeds[i]);
     const auto row = mine_.find(i);
     sum.push_back(row == mine_.end() ? 0 : 1);
     const Numbers known = row == mine_.end() ? Numbers{} : std::bit_cast<Numbers>(row->second);
@@ -103,15 +111,19 @@ std::optional<Totals> EnoughSeeds::totals_of_seed(std::uint64_t seed) const {
   return {};
 }
 
-void EnoughSeeds::settle() {
+void EnoughSeeds::settle(int rank, int count) {
   if (learns_ == Learns::from_files) read_on();
   const auto& seeds = ensemble_.scene.ensemble.seeds;
+  const std::set<std::string> there = names_in(ensemble_.directory);
   // A seed counts for certain as soon as those before it do not meet the rule, and once it is met no other does.
   const std::size_t certain = enough_.value_or(read_.size());
-  for (std::size_t i = 0; i < seeds.size(); ++i) {
+  for (auto i = static_cast<std::size_t>(rank); i < seeds.size(); i += static_cast<std::size_t>(count)) {
     const bool counts = i < certain;
-    if (counts ? !std::filesystem::exists(ahead_file(ensemble_, seeds[i])) : !enough_) continue;
-    // Where another rank has the lock, it is doing the same.
+    if (!counts && !enough_) continue;
+    const std::string name = counts ? ahead_file(ensemble_, seeds[i]).filename().string()
+                                    : run_file(ensemble_, seeds[i]).stem().string() + ".state";
+    if (const auto found = there.lower_bound(name); found == there.end() || !found->starts_with(name)) continue;
+    // Where another process has the lock, it is doing the same.
     const auto lock = SeedLock::take(run_file(ensemble_, seeds[i]), "");
     if (!lock) continue;
     counts ? accept_ahead(ensemble_, seeds[i]) : remove_states(ensemble_, seeds[i]);

@@ -33,9 +33,9 @@ public:
   /// Takes it off the sum's front. \return whether it says anything new
   bool take_rows(std::span<const double>& sum);
 
-  /// Gives run files that count their names, and removes the saved states of seeds that do not.
-  /// \throws Error if one cannot be written
-  void settle();
+  /// Gives run files that count their names, and removes the saved states of seeds that do not; of every
+  /// `count`-th seed, from `rank` on. \throws Error if one cannot be written
+  void settle(int rank, int count);
 
   /// What was decided, as a line; whether the rule was met.
   bool is_met() const { return enough_.has_value(); }

@@ -41,7 +41,8 @@ public:
         ledger_(call.ledger, call.launch),
         worklist_({call.ensembles, call.launch, call.ranks,
                    [this](const Job& job, const std::string& why) { refused(job, why); },
-                   [this](const Job& job, const std::string& who) { is_elsewhere(job, who); }}) {
+                   [this](const Job& job, const std::string& who) { is_elsewhere(job, who); },
+                   [this](const Job& job) { was_done_elsewhere(job); }}) {
     if (call.ranks) pulse_.emplace(*call.ranks, call.decisions);
   }
 
@@ -51,9 +52,11 @@ public:
     set_aside_what_is_short();
     // What was done before is checked before anybody begins, and decides what is begun.
     if (call_.ranks) call_.ranks->wait([this] { hear(); });
+    worklist_.look();
     for (const Job& job : worklist_.done_before()) look_at(job);
     if (call_.ranks) {
-      mine_.jobs = call_.launch.rank == 0 ? static_cast<double>(worklist_.not_done_before()) : 0;
+      mine_.jobs =
+          call_.launch.rank == 0 && call_.decisions.empty() ? static_cast<double>(worklist_.not_done_before()) : 0;
       pulse_->settle(mine_);
     }
     while (const auto claim = worklist_.next()) {
@@ -76,7 +79,11 @@ private:
     hear();
     const Standing& all = pulse_->all();
     return {.failed = static_cast<std::size_t>(all.failed),
-            .complete = worklist_.is_complete(),
+            // Who asks for a job's status asks the launcher.
+            .complete = call_.launch.by_launcher || worklist_.is_complete(),
+            .stopped = static_cast<std::size_t>(all.stopped),
+            .begun = static_cast<std::size_t>(all.done + all.stopped),
+            .to_do = worklist_.not_done_before(),
             .left_to_others = static_cast<int>(all.left_to_others),
             .other = worklist_.other(),
             .unrecorded = unrecorded_,
@@ -121,7 +128,13 @@ private:
   /// What was done before needs no entry, unless it is not what it should be.
   void look_at(const Job& job) {
     const Stopwatch watch;
-    if (attempt(job) == SeedEnd::failed) enter(job, watch, SeedEnd::failed);
+    std::string last;
+    const SeedEnd end = check_seed(ensemble_of(job), call_.inputs[job.ensemble], job.seed, [&](const SeedReport& said) {
+      last = said.line;
+      tell(job, said);
+    });
+    settle(job, end, last);
+    if (end == SeedEnd::failed) enter(job, watch, end);
   }
 
   SeedEnd run(const Job& job) {
@@ -138,7 +151,7 @@ private:
     });
     mine_.filling = mine_.flowing = mine_.clogged = mine_.share = mine_.particle_steps = 0;
     mine_.busy += watch.seconds();
-    if (end != SeedEnd::stopped) ++mine_.done;
+    ++(end == SeedEnd::stopped ? mine_.stopped : mine_.done);
     enter(job, watch, end);
     if (pulse_) pulse_->beat(mine_);
     return end;
@@ -150,18 +163,22 @@ private:
     if (audience_.progress) audience_.progress(now, pulse_ ? pulse_->all() : Standing{});
   }
 
-  SeedEnd attempt(const Job& job, const Watcher& watcher = {}) {
+  SeedEnd attempt(const Job& job, const Watcher& watcher) {
     std::string last;
     const SeedEnd end =
         run_locked_seed(ensemble_of(job), call_.inputs[job.ensemble], job.seed, watcher, [&](const SeedReport& said) {
           last = said.line;
           tell(job, said);
         });
+    settle(job, end, last);
+    return end;
+  }
+
+  void settle(const Job& job, SeedEnd end, const std::string& last) {
     if (end == SeedEnd::failed) fail(job, last);
     if (end == SeedEnd::done) worklist_.forget_failure(job);
     if (end == SeedEnd::done && !call_.decisions.empty()) call_.decisions[job.ensemble]->is_done(job.seed);
     if (end != SeedEnd::stopped) worklist_.settle(job);
-    return end;
   }
 
   void refused(const Job& job, const std::string& why) {
@@ -176,6 +193,10 @@ private:
         tell(job, {job.seed, fmt::format("{} is at work on it; waits for that", who), false, true});
       return;
     }
+    was_done_elsewhere(job);
+  }
+
+  void was_done_elsewhere(const Job& job) {
     ++mine_.done;
     if (!call_.decisions.empty()) call_.decisions[job.ensemble]->is_elsewhere(job.seed);
   }
@@ -250,13 +271,7 @@ std::vector<std::string> check_directories(const EnsembleCall& call) {
 
 EnsembleResult run_ensembles(const EnsembleCall& call, const Audience& audience) {
   for (const Ensemble& ensemble : call.ensembles) make_directory(ensemble.directory);
-  try {
-    return Rank(call, audience).work();
-  } catch (const std::exception& error) {
-    // The others would wait for this one.
-    if (call.ranks) call.ranks->abandon(error.what());
-    throw;
-  }
+  return Rank(call, audience).work();
 }
 
 }  // namespace clogflow

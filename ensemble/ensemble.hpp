@@ -25,7 +25,10 @@ struct Audience {
 /// As far as this rank knows; rank 0 knows all.
 struct EnsembleResult {
   std::size_t failed = 0;      ///< seeds
-  bool complete = true;        ///< every seed is done, failed, or not needed
+  bool complete = true;        ///< every seed is done, failed, or not needed; true for ranks of a launcher
+  std::size_t stopped = 0;     ///< seeds whose state was saved; with MPI only, as is
+  std::size_t begun = 0;       ///< how many were done or stopped in this call
+  std::size_t to_do = 0;       ///< how many were not done before
   int left_to_others = 0;      ///< seeds that another call is at work on
   std::string other;           ///< who
   std::size_t unrecorded = 0;  ///< seeds of this rank that the ledger could not take

@@ -281,6 +281,7 @@ void Ranks::together(const std::function<void()>& work) {
     MPI_Iallreduce(&mine, &first, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD, &request);
     patiently(request);
   }
+  parted_ = parted_ || first < count_;
   if (first == rank_) std::rethrow_exception(failure);
   if (first < count_) throw Error("");
 }
@@ -325,6 +326,15 @@ std::shared_ptr<const float[]> Ranks::once_per_node(std::span<const float> of_fi
   job_->memories.push_back(memory);
   // The job frees it, together with the other ranks.
   return {memory.numbers, [](const float*) {}};
+}
+
+void Ranks::run(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const std::exception& error) {
+    if (!parted_) abandon(error.what());
+    throw;
+  }
 }
 
 void Ranks::abandon(const std::string& why) {

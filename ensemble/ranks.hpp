@@ -63,13 +63,19 @@ public:
   /// \param meanwhile  done at least 50 times a second
   void wait(const std::function<void()>& meanwhile = {});
 
-  /// Ends the whole job, if there is one, since this rank cannot go on; its last words go to standard error.
-  void abandon(const std::string& why);
+  /// From now on no rank waits for another but in the end of the job. So it is too when together() has failed.
+  void part() { parted_ = true; }
+
+  /// The work of this rank. If it throws while others may wait for it the whole job ends, with its words.
+  void run(const std::function<void()>& work);
 
 private:
+  void abandon(const std::string& why);
+
   struct Job;
   std::unique_ptr<Job> job_;  // nothing: alone
   int rank_ = 0, count_ = 1, taken_ = 0;
+  bool parted_ = false;
   std::optional<std::vector<double>> alone_;  // the sum of a job of one
 };
 

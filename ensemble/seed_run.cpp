@@ -190,14 +190,29 @@ SeedEnd run_locked_seed(const Ensemble& ensemble, const std::string& inputs, std
   }
 }
 
+SeedEnd check_seed(const Ensemble& ensemble, const std::string& inputs, std::uint64_t seed, const Reporter& report) {
+  try {
+    const StateOwner owner = owner_of(ensemble, inputs, seed);
+    Checkpoint checkpoint(run_file(ensemble, seed), owner);
+    const auto line = finished_before(ensemble, owner, checkpoint);
+    report({seed, line.value_or("is lengthened by another call: left to that"), false, !line});
+    return line ? SeedEnd::done : SeedEnd::left;
+  } catch (const std::exception& error) {
+    report({seed, error.what(), true});
+    return SeedEnd::failed;
+  }
+}
+
 SeedEnd run_one_seed(const Ensemble& ensemble, std::uint64_t seed, const Watcher& watcher, const Reporter& report) {
   make_directory(ensemble.directory);
   const std::string inputs = inputs_hash(ensemble);
   try {
     const auto file = run_file(ensemble, seed);
     const auto lock = SeedLock::take(file, "");
-    require(lock.has_value(), "{} (another call is at work on this seed): wait for it, or give another --out",
-            file.string());
+    if (!lock) {
+      report({seed, "another call is at work on it: left to that", false, true});
+      return SeedEnd::left;
+    }
     return run_locked_seed(ensemble, inputs, seed, watcher, report);
   } catch (const std::exception& error) {
     report({seed, error.what(), true});

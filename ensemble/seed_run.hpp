@@ -46,6 +46,10 @@ std::string inputs_hash(const Ensemble& ensemble);
 SeedEnd run_locked_seed(const Ensemble& ensemble, const std::string& inputs, std::uint64_t seed, const Watcher& watcher,
                         const Reporter& report);
 
+/// What stands as done is checked and gets its place; nothing is run. \return done, failed, or left if there is more to
+/// do
+SeedEnd check_seed(const Ensemble& ensemble, const std::string& inputs, std::uint64_t seed, const Reporter& report);
+
 /// One seed that nobody else is at work on, in a directory that is made; otherwise as run_locked_seed.
 SeedEnd run_one_seed(const Ensemble& ensemble, std::uint64_t seed, const Watcher& watcher, const Reporter& report);
 

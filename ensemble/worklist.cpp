@@ -57,7 +57,9 @@ Worklist::Worklist(Call call)
     : call_(std::move(call)),
       jobs_(jobs_of(call_.ensembles)),
       settled_(jobs_.size(), 0),
-      position_(static_cast<std::size_t>(call_.launch.rank)) {
+      position_(static_cast<std::size_t>(call_.launch.rank)) {}
+
+void Worklist::look() {
   if (!call_.ranks) return;
   // One rank looks, so that all agree.
   for (std::size_t k = 0; k < jobs_.size() && call_.ranks->is_first(); ++k) done_before_ += has_result(k) ? '1' : '0';
@@ -72,7 +74,7 @@ std::vector<Job> Worklist::done_before() {
   std::vector<Job> done;
   const auto count = static_cast<std::size_t>(call_.launch.count);
   for (auto k = static_cast<std::size_t>(call_.launch.rank); k < jobs_.size(); k += count) {
-    if (SeedLock::is_there(file(k))) claim(k);
+    if (SeedLock::is_there(file(k)) && (!call_.ranks || done_before_[k] == '1')) claim(k);
     if (call_.ranks ? done_before_[k] == '1' : has_result(k)) {
       done.push_back(jobs_[k]);
       settled_[k] = 1;
@@ -85,17 +87,26 @@ std::optional<Claim> Worklist::next_of_counter() {
   while (!must_stop()) {
     const auto k = static_cast<std::size_t>(call_.ranks->next());
     if (k >= jobs_.size()) break;
-    if (done_before_[k] == '1' || settled_[k]) continue;
+    if (done_before_[k] == '1' || settled_[k] || is_done_elsewhere(k) || !is_wanted(k)) continue;
     if (auto mine = claim(k)) return mine;
-    if (settled_[k]) continue;
-    // What it makes of the job is its result.
+    if (settled_[k] || is_done_elsewhere(k) || !is_wanted(k)) continue;
     settled_[k] = 1;
     const std::string holder = SeedLock::holder(file(k));
-    if (!has_result(k)) other_ = holder.substr(holder.find(' ') + 1), ++left_to_others_;
+    other_ = holder.substr(holder.find(' ') + 1);
+    ++left_to_others_;
     call_.awaited(jobs_[k], other_);
   }
   return {};
 }
+
+bool Worklist::is_done_elsewhere(std::size_t k) {
+  if (!has_result(k)) return false;
+  settled_[k] = 1;
+  call_.found(jobs_[k]);
+  return true;
+}
+
+bool Worklist::is_wanted(std::size_t k) const { return !ensemble(k).wanted || ensemble(k).wanted(jobs_[k].seed); }
 
 std::optional<Claim> Worklist::next() {
   if (call_.ranks) return next_of_counter();
@@ -131,7 +142,7 @@ bool Worklist::has_result(std::size_t k) const {
 
 bool Worklist::is_settled(std::size_t k) const {
   if (settled_[k] || has_result(k)) return true;
-  if (const Ensemble& e = ensemble(k); e.wanted && !e.wanted(jobs_[k].seed)) return true;
+  if (!is_wanted(k)) return true;
   std::ifstream failure(failure_file(file(k)));
   std::string call;
   return std::getline(failure, call) && call == call_.launch.call;

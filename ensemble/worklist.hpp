@@ -42,11 +42,14 @@ public:
     const Launch& launch;
     Ranks* ranks;  ///< nullptr: without MPI
     using Told = std::function<void(const Job&, const std::string&)>;
-    Told refused;  ///< a job that cannot be claimed, and why
-    Told awaited;  ///< a job that must be waited for, or is left, and who has it
+    Told refused;                           ///< a job that cannot be claimed, and why
+    Told awaited;                           ///< a job that must be waited for, or is left, and who has it
+    std::function<void(const Job&)> found;  ///< with MPI: a job that another call did meanwhile
   };
-  /// With MPI: all ranks together.
   explicit Worklist(Call call);
+
+  /// With MPI, all ranks together: what is done when the call begins.
+  void look();
 
   /// Jobs that were not done when the call began; with MPI only.
   std::size_t not_done_before() const;
@@ -88,6 +91,8 @@ private:
   const Ensemble& ensemble(std::size_t k) const { return call_.ensembles[jobs_[k].ensemble]; }
   std::filesystem::path file(std::size_t k) const { return run_file(ensemble(k), jobs_[k].seed); }
   bool has_result(std::size_t k) const;
+  bool is_wanted(std::size_t k) const;
+  bool is_done_elsewhere(std::size_t k);
   bool is_settled(std::size_t k) const;
   bool is_over(std::size_t k) const;
   bool is_taken(std::size_t k) const { return is_settled(k) || SeedLock::is_there(file(k)); }

@@ -126,6 +126,30 @@ TEST_F(EnsembleFiles, LaunchersThatCannotBeServedAreToldWhatToDo) {
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "out"));
 }
 
+TEST_F(EnsembleFiles, RunsThatAreLengthenedAreHandedOutAsOthersAre) {
+  ASSERT_EQ(run(mpirun(2), "out", "--set time.end='3 ms'").status, 0);
+  const Outcome longer = run(mpirun(2), "out");
+  ASSERT_EQ(longer.status, 0) << longer.text;
+  std::ostringstream ledger;
+  ledger << std::ifstream(folder_.path() / "out" / "ensemble.csv").rdbuf();
+  // A header, and each seed twice.
+  EXPECT_EQ(std::ranges::count(ledger.str(), '\n'), 1 + 2 * 4) << ledger.str();
+  ASSERT_EQ(run("", "alone").status, 0);
+  for (const std::uint64_t seed : {1, 2, 3, 4}) expect_same(read("alone", seed), read("out", seed));
+}
+
+TEST_F(EnsembleFiles, ARankThatCannotSeeTheFolderEndsTheJob) {
+  const std::string words =
+      fmt::format("{} run {} --flow {} --seeds 1-2 --out ", CLOG_PROGRAM, (folder_.path() / "scene.toml").string(),
+                  (folder_.path() / "flow.h5").string());
+  const Outcome outcome = shell(fmt::format("timeout 60 env {} {}{} : -np 1 {}/proc/none/out", mpirun(1), words,
+                                            (folder_.path() / "here").string(), words),
+                                folder_.path());
+  EXPECT_NE(outcome.status, 0);
+  EXPECT_THAT(outcome.text, HasSubstr("clog: rank 1: /proc/none/out"));
+  EXPECT_THAT(outcome.text, HasSubstr("cannot be made"));
+}
+
 TEST_F(EnsembleFiles, FinishedSeedsAreSkipped) {
   ASSERT_EQ(run("", "out", "--seeds 2").status, 0);
   const auto file = folder_.path() / "out" / run_file_name(2);

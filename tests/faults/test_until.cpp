@@ -73,6 +73,8 @@ TEST_F(Until, ThreeRanksDecideTheSameAndWhatTheyDidAheadDoesNotCount) {
   MpiJob mpi({"-np", "3"}, words("three", rule_), job_.path("log_three"));
   EXPECT_EQ(mpi.wait(), 0) << mpi.said();
   EXPECT_THAT(mpi.said(), HasSubstr("is met by the first 4 of 8 seeds"));
+  // Seeds that nobody needs are left to nobody.
+  EXPECT_THAT(mpi.said(), testing::Not(HasSubstr("left to other calls")));
   expect_first_four("three");
   const Program stats({"stats", job_.path("three"), "--out", job_.path("stats"), "--threshold", "1 ms"},
                       job_.path("log_stats"));
@@ -133,6 +135,13 @@ TEST_F(Until, WithoutTheRuleWhatWasDoneAheadCounts) {
   EXPECT_EQ(job_.complete("ahead", "1-3"), "");
   EXPECT_EQ(counted("ahead"), (std::set<std::uint64_t>{1, 2, 3}));
   EXPECT_FALSE(std::filesystem::exists(job_.path("ahead/ahead_0003.h5")));
+}
+
+TEST_F(Until, RanksThatUsedAllSeedsSaySoAndFail) {
+  MpiJob mpi({"-np", "3"}, words("all_used", "passages>=1e6", "1-3"), job_.path("log_all_used"));
+  EXPECT_NE(mpi.wait(), 0);
+  EXPECT_THAT(mpi.said(), HasSubstr("clog: passages>=1e6 is not met by 3 of 3 seeds, passages = "));
+  EXPECT_THAT(mpi.said(), HasSubstr(": give more --seeds\n"));
 }
 
 TEST_F(Until, EveryPointOfASweepDecidesForItself) {
