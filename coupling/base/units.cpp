@@ -224,6 +224,7 @@ std::string si_unit(Dimension d) {
   if (d == dimension::pressure) return "Pa";
   if (d == dimension::viscosity) return "Pa s";
   if (d == dimension::stiffness) return "N/m";
+  if (d == dimension::acceleration) return "m/s2";
   if (d == dimension::force) return "N";
   if (d == Dimension{2, 1, -2}) return "J";
   std::string unit;
@@ -246,6 +247,7 @@ QuantityWords quantity_words(Dimension d) {
   if (d == dimension::density) return {"a density", "1062 kg/m3"};
   if (d == dimension::pressure) return {"a pressure", "3 MPa"};
   if (d == dimension::viscosity) return {"a viscosity", "1.8 mPa s"};
+  if (d == dimension::acceleration) return {"an acceleration", "-9.81 m/s2"};
   if (d == dimension::stiffness) return {"a stiffness, or an energy per area", "50 mN/m"};
   if (d == dimension::force) return {"a force", "2 nN"};
   return {fmt::format("a quantity in {}", si_unit(d)), fmt::format("1 {}", si_unit(d))};

@@ -20,6 +20,7 @@ inline constexpr Dimension length{1, 0, 0};
 inline constexpr Dimension time{0, 0, 1};
 inline constexpr Dimension rate{0, 0, -1};
 inline constexpr Dimension velocity{1, 0, -1};
+inline constexpr Dimension acceleration{1, 0, -2};
 inline constexpr Dimension density{-3, 1, 0};
 inline constexpr Dimension pressure{-1, 1, -2};
 inline constexpr Dimension viscosity{-1, 1, -1};

@@ -112,6 +112,7 @@ struct Scene {
     bool enabled = false;
     InletStart start = InletStart::filled;
     double rate = 0;  ///< largest number of insertions per second [1/s]; 0: as many as fit
+    double concentration = 0;  ///< share of the inflow's volume that is particles [-]; 0: as many as fit
     int taps = 2;     ///< moments without friction that consolidate a filled start [-]
     /// Solids that pass the neck without friction before a flowing start counts, in neck widths times its
     /// cross-section [-]
@@ -119,6 +120,7 @@ struct Scene {
   } inlet;
 
   std::array<double, 3> body_force{};  ///< on every particle [N]
+  std::array<double, 3> gravity{};     ///< with buoyancy from the densities [m/s2]
 
   struct Unclog {
     UnclogProtocol protocol = UnclogProtocol::none;

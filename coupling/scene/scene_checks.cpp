@@ -121,9 +121,11 @@ void check_terms(const SceneDraft& draft) {
   require(scene.porosity.strips == 0 || shape, "{} (strips need a [geometry] with neck_width)",
           draft.says("porosity.strips"));
   require(!scene.inlet.enabled || shape, "{}: [inlet] is on (an inlet needs a [geometry] with neck_width)", draft.name);
-  const bool driven = scene.flow.source != FlowSource::none || scene.body_force != std::array<double, 3>{};
+  const bool driven = scene.flow.source != FlowSource::none || scene.body_force != std::array<double, 3>{} ||
+                      scene.gravity != std::array<double, 3>{};
   require(!scene.inlet.enabled || driven,
-          "{}: [inlet] is on (nothing carries particles away from it: give flow.source or body_force)", draft.name);
+          "{}: [inlet] is on (nothing carries particles away from it: give flow.source, body_force or gravity)",
+          draft.name);
   require(scene.unclog.protocol == UnclogProtocol::none || shape, "{} (needs a [geometry] with neck_width)",
           draft.says("unclog.protocol"));
   // What counts as rest is a share of the flow's speed.
@@ -144,6 +146,14 @@ void check_starts_and_clogs(const SceneDraft& draft) {
   const Scene& s = draft.scene;
   const auto protocol = s.unclog.protocol;
   const bool releases = protocol == UnclogProtocol::release, restarts = protocol == UnclogProtocol::restart;
+  if (s.inlet.concentration > 0) {
+    require(s.inlet.start == InletStart::empty, "{} (is for inlet.start = \"empty\": other starts are dense)",
+            draft.says("inlet.concentration"));
+    require(s.inlet.rate == 0, "{} (says how many come in, as inlet.rate does): leave one out",
+            draft.says("inlet.concentration"));
+    require(s.geometry.present && s.geometry.stl.empty() && s.flow.mean_velocity > 0,
+            "{} (needs a channel, and flow.mean_velocity in it)", draft.says("inlet.concentration"));
+  }
   check_goes_with(draft, "inlet.strain", s.inlet.start == InletStart::flowing, "inlet.start = \"flowing\"");
   check_goes_with(draft, "unclog.strain", restarts, "unclog.protocol = \"restart\"");
   check_goes_with(draft, "unclog.region", releases || restarts || s.unclog.region == 0,

@@ -23,9 +23,15 @@ constexpr std::pair<std::string_view, KeyRole> harmless[] = {
 };
 
 constexpr std::pair<std::string_view, std::string_view> later[] = {
-    {"contact.law", "\"hertz\""},      {"contact.turning", "\"luding\""}, {"drag.law", "\"hoef\""},
-    {"porosity.method", "\"strips\""}, {"porosity.neck", "false"},        {"unclog.region", "0"},
+    {"contact.law", "\"hertz\""},
+    {"contact.turning", "\"luding\""},
+    {"drag.law", "\"hoef\""},
+    {"porosity.method", "\"strips\""},
+    {"porosity.neck", "false"},
+    {"unclog.region", "0"},
     {"unclog.shortcut", "false"},
+    {"inlet.concentration", "0"},
+    {"gravity", "[\"0 m/s2\", \"0 m/s2\", \"0 m/s2\"]"},
 };
 
 bool is_as_before(const std::string& key, const std::string& value) {

@@ -15,6 +15,8 @@ namespace {
 constexpr Range any{};
 constexpr Range positive{.low = 0, .low_allowed = false};
 constexpr Range non_negative{.low = 0};
+// Random insertion finds no room for more.
+constexpr Range dilute{.low = 0, .high = 0.3};
 constexpr Range fraction{.low = 0, .high = 1, .low_allowed = false};
 // Its dashpot grows like e^(-1/2) and limits the step; 0.001 is as good as none.
 constexpr Range restitution{.low = 1e-3, .high = 1};
@@ -63,6 +65,7 @@ std::vector<Key> make_keys() {
   using namespace dimension;
   return {
       VECTOR(body_force, force, "on every particle, three forces; stands before the first section"),
+      VECTOR(gravity, acceleration, "three accelerations, before the first section; the fluid's density makes the buoyancy"),
 
       NUMBER(geometry.neck_width, length, positive, "y extent of the neck, D"),
       NUMBER(geometry.neck_height, length, positive, "z extent of neck and channel; default neck_width"),
@@ -147,6 +150,7 @@ std::vector<Key> make_keys() {
       SWITCH(inlet.enabled, "default true when the section is present"),
       WORD(inlet.start, "at time 0 the channel is filled and jammed behind a gate, or empty, or flows densely without friction until then", "filled", "empty", "flowing"),
       NUMBER(inlet.rate, rate, non_negative, "largest number of insertions per time; default 0: as many as fit"),
+      NUMBER(inlet.concentration, number, dilute, "share of particles in the volume that flows in; default 0: as many as fit"),
       COUNT(inlet.taps, (Range{.low = 0, .high = 100}), "moments without friction that consolidate a filled start; default 2"),
       NUMBER(inlet.strain, number, positive, "volume of particles that passes without friction before a flowing start counts, in neck widths times the neck's cross-section; default 10"),
 

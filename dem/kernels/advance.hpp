@@ -60,7 +60,9 @@ struct Moved {
     Lanes speed2(0.0);
     for (int a = 0; a < 3; ++a) {
       const Lanes before = m.motion.c[a];
-      const Lanes other = m.force.c[a] + Lanes(task.body_force[a]);
+      const Lanes external =
+          task.weighs ? m.motion.c[3] * task.weight_per_mass[a] + task.body_force[a] : Lanes(task.body_force[a]);
+      const Lanes other = m.force.c[a] + external;
       const Lanes drag = task.drag ? c * (load_part(fluid[a] + from, used) - before) : Lanes(0.0);
       const Lanes after = before + share * rate * (other + drag);
       // The drag that acted over the step, implicit or not: what the other forces leave of the
@@ -68,7 +70,7 @@ struct Moved {
       const Lanes acted = (after - before) * force_per_kick - other;
       const Lanes middle = half * (before + after) * kick * counted;
       drag_work += acted * middle;
-      body_work += Lanes(task.body_force[a]) * middle;
+      body_work += external * middle;
       speed2 += after * after;
       m.motion.c[a] = after;
       m.place.c[a] += drift * after;

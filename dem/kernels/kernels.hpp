@@ -120,6 +120,8 @@ struct AdvanceTask {
   const double* turn;          ///< coefficient of the viscous torque [N m s]; nullptr: none
   const double *sx, *sy, *sz;  ///< half the fluid's vorticity [rad/s], with `turn`
   double body_force[3];        ///< [N]
+  double weight_per_mass[3];   ///< beside body_force, where it differs between particles [m/s2]
+  bool weighs;                 ///< whether there is any
   double kick, drift;          ///< [s]
   double mass, inertia;        ///< of every particle, if all are equal; else 0
   bool implicit_drag;

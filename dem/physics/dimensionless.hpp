@@ -28,9 +28,10 @@ inline double response_time(const SphereInFluid& s, double voidage) {
   return s.density * sphere_volume(s.diameter / 2) / (stokes_coefficient(s.viscosity, s.diameter) * voidage);
 }
 
+inline constexpr double standard_gravity = 9.80665;  ///< [m/s2]
+
 /// Stokes velocity of a heavy or light sphere over the flow's: |rho_p - rho_f| g d^2 / (18 eta v).
-inline double settling_ratio(const SphereInFluid& s, double speed) {
-  constexpr double gravity = 9.81;  // [m/s2]
+inline double settling_ratio(const SphereInFluid& s, double speed, double gravity = standard_gravity) {
   return std::abs(s.density - s.fluid_density) * gravity * s.diameter * s.diameter / (18 * s.viscosity * speed);
 }
 

@@ -79,8 +79,9 @@ void judge_fluid(const Scene& s, const Judge& term) {
       term({"inertial drag, lift, added mass", "Re_p = rho v_neck d / eta", slip, slip > 1, false,
             "the drag law holds for Re_p << 1"});
     }
-    term({"gravity", "settling velocity / v", settling_ratio(sphere, v), settling_ratio(sphere, v) > 0.01, false,
-          "density matched when 0"});
+    const double gravity = std::hypot(s.gravity[0], s.gravity[1], s.gravity[2]);
+    const double settling = settling_ratio(sphere, v, gravity > 0 ? gravity : standard_gravity);
+    term({"gravity", "settling velocity / v", settling, settling > 0.01, gravity > 0, "density matched when 0"});
     const double peclet = peclet_number(sphere, v);
     term({"Brownian motion", "Pe = v d / D_0", peclet, peclet < 1e3, false, "diffusion << flow"});
     term({"drag", law.knows_slip ? "f(eps, Re_p) in the pack" : "f(eps) in the pack",

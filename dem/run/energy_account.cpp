@@ -2,6 +2,7 @@
 
 #include "coupling/base/require.hpp"
 #include "dem/physics/drag.hpp"
+#include "dem/run/external_force.hpp"
 #include "dem/run/present_network.hpp"
 #include "dem/run/whole_step.hpp"
 
@@ -154,14 +155,13 @@ void EnergyAccount::add_films(const RunState& state) {
 }
 
 void EnergyAccount::add_particles(const RunState& state) {
-  const auto& b = model_.scene.body_force;
-  const Vector<double> body{b[0], b[1], b[2]};
   AdvanceTask fluid{};
   state.fluid.attach(fluid);
   const bool implicit = model_.scene.time.integrator != Integrator::verlet;
   for (int i = 0; i < static_cast<int>(state.count()); ++i) {
     const ParticleState& p = state.particles[i];
     const Vector<double> velocity = velocity_now(state, i);
+    const Vector<double> body = external_force(model_.scene, p.mass);
     power_.body_force += dot(body, velocity);
     if (!fluid.drag) continue;
     const Vector<double> other = Vector<double>{p.fx, p.fy, p.fz} + body;

@@ -18,7 +18,7 @@ struct EnergyTerms {
   double stiffening = 0;  ///< put into the sliding, rolling and torsion springs where their stiffness grows with the
                           ///< overlap, which no work does; negative where they soften or a contact opens
   double drag = 0;        ///< work of the fluid, its torque too
-  double body_force = 0;  ///< work
+  double body_force = 0;  ///< work of body_force and weight
 
   /// What left the particles and their springs: kinetic + elastic energy + lost() stays as it is.
   double lost() const { return dashpots + sliders + films - stiffening - drag - body_force; }

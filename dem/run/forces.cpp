@@ -1,7 +1,9 @@
 #include "dem/run/forces.hpp"
 
 #include <algorithm>
+#include <array>
 
+#include "dem/run/external_force.hpp"
 #include "dem/run/present_network.hpp"
 
 namespace clogflow {
@@ -55,10 +57,16 @@ AdvanceTask advance_task(RunState& state) {
   AdvanceTask task{};
   task.particles = pointers(state.particles);
   state.fluid.attach(task);
-  for (int a = 0; a < 3; ++a) task.body_force[a] = s.body_force[a];
+  const double equal_mass = state.lists.pairs.equal_mass;
+  const Vector<double> external = external_force(s, equal_mass);
+  for (int a = 0; a < 3; ++a) {
+    task.body_force[a] = std::array{external.x, external.y, external.z}[a];
+    task.weight_per_mass[a] = equal_mass > 0 ? 0 : weight_per_mass(s, a);
+    task.weighs = task.weighs || task.weight_per_mass[a] != 0;
+  }
   task.kick = state.clock.kick();
   task.drift = state.clock.dt();
-  task.mass = state.lists.pairs.equal_mass, task.inertia = state.lists.pairs.equal_inertia;
+  task.mass = equal_mass, task.inertia = state.lists.pairs.equal_inertia;
   task.implicit_drag = s.time.integrator != Integrator::verlet;
   task.passage = state.model.domain.passage;
   task.too_fast = longest_way * state.lists.pairs.smallest_radius / state.clock.dt();

@@ -23,6 +23,9 @@ constexpr double scattered_packing = 0.30;
 /// Bounds the search for room; the channel is filled less densely where it ends it.
 constexpr int attempts_per_scattered = 200;
 
+/// Points across the slab, along y and z each, at which the fastest flow is looked for.
+constexpr int looks = 65;
+
 /// Depth of the slab in diameters, if the straight channel is as long: spheres enter at any depth, so no
 /// layers form.
 constexpr double slab_depth = 2;
@@ -37,6 +40,22 @@ Inlet::Inlet(const Model& model) : model_(&model), enabled_(model.scene.inlet.en
   high_ =
       Vec3(std::min(x + slab_depth * s.particles.diameter, -narrowing_length(s.geometry)), y, s.geometry.neck_height);
   interval_ = interval_share * s.stokes_time();
+  if (s.inlet.concentration > 0)
+    rate_ = s.inlet.concentration * s.flow.mean_velocity * s.geometry.channel_width * s.geometry.neck_height /
+            sphere_volume(s.particles.diameter / 2);
+}
+
+/// Whether the flow would have brought a particle here rather than elsewhere.
+bool Inlet::carries(const Fluid& fluid, const Vec3& place, Random& random) {
+  if (model_->scene.inlet.concentration == 0) return true;
+  const bool is_first = fastest_ == 0;
+  for (int k = 0; is_first && k < looks * looks; ++k) {
+    const double y = (k / looks) / (looks - 1.0), z = (k % looks) / (looks - 1.0);
+    const Vec3 at((low_.x() + high_.x()) / 2, low_.y() + y * (high_.y() - low_.y()),
+                  low_.z() + z * (high_.z() - low_.z()));
+    fastest_ = std::max(fastest_, fluid.field().at(at.x(), at.y(), at.z())[0]);
+  }
+  return random.uniform(0, fastest_) <= fluid.field().at(place.x(), place.y(), place.z())[0];
 }
 
 int Inlet::insert(Particles& p, const Fluid& fluid, Random& random, double time) {
@@ -51,6 +70,7 @@ int Inlet::insert(Particles& p, const Fluid& fluid, Random& random, double time)
     if (rate_ > 0 && static_cast<double>(fed_) >= rate_ * time) break;
     const Vec3 c(random.uniform(low_.x() + r, high_.x() - r), random.uniform(low_.y() + r, high_.y() - r),
                  random.uniform(low_.z() + r, high_.z() - r));
+    if (!carries(fluid, c, random)) continue;
     const bool free = std::none_of(near.begin(), near.end(), [&](int i) {
       const double apart = r + p[i].radius;
       return (Vec3(p[i].x, p[i].y, p[i].z) - c).squaredNorm() < apart * apart;

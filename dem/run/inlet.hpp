@@ -11,8 +11,12 @@
 
 namespace clogflow {
 
-/// Inserts spheres at random places in a slab at the left end, as many as fit, never overlapping
+/// Inserts spheres at random places in a slab at the left end, as many as fit or as a rate allows, never overlapping
 /// another sphere or a wall. Attempts are bounded per call and counted.
+///
+/// A concentration phi is a rate, phi q / V of spheres of volume V in the flow rate q; what finds no room waits. Each
+/// place is then taken in proportion to the flow there, so that a suspension of the same concentration everywhere
+/// enters. Neglects that no centre comes nearer to a wall than a radius.
 class Inlet {
 public:
   explicit Inlet(const Model& model);
@@ -41,6 +45,9 @@ public:
   double last_fed() const { return last_fed_; }
   std::int64_t refused() const { return refused_; }  ///< attempts that found no room
 
+  /// Whether more would come in at time t if there were room: a clog is not for good while it could still be fed.
+  bool waits(double time) const { return rate_ == 0 || static_cast<double>(fed_) < rate_ * time; }
+
   /// Whether it tried and nothing came in since its clock began.
   bool shut() const { return fed_ == 0 && refused_ > 0; }
 
@@ -59,7 +66,10 @@ public:
 private:
   const Model* model_;
   bool enabled_;
+  bool carries(const Fluid& fluid, const Vec3& place, Random& random);
+
   double interval_ = 0, rate_;
+  double fastest_ = 0;  // of the flow in the slab, where places are taken in proportion to it [m/s]
   double last_fed_ = 0;
   Vec3 low_, high_;  // corners of the slab for the whole sphere [m]
   std::int64_t first_id_ = 0, next_id_ = 0, refused_ = 0, fed_ = 0;

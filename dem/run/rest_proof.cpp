@@ -5,6 +5,7 @@
 
 #include "coupling/base/quantile.hpp"
 #include "dem/physics/drag.hpp"
+#include "dem/run/external_force.hpp"
 #include "dem/run/whole_step.hpp"
 
 namespace clogflow {
@@ -20,7 +21,9 @@ double size_of(const Vector<double>& v) { return std::sqrt(dot(v, v)); }
 bool rests_for_good(const RunState& state) {
   const Scene& s = state.model.scene;
   if (!state.has_friction() || state.fluid.noise().on()) return false;
-  if (state.inlet.enabled() && state.time() < state.inlet.last_fed() + s.stokes_time()) return false;
+  const Inlet& inlet = state.inlet;
+  if (inlet.enabled() && (!inlet.waits(state.time()) || state.time() < inlet.last_fed() + s.stokes_time()))
+    return false;
   const Particles& p = state.particles;
   std::vector<double> speeds;
   std::vector<int> upstream;
@@ -33,10 +36,10 @@ bool rests_for_good(const RunState& state) {
   const double flow = s.flow_speed();
   if (*std::max_element(speeds.begin(), speeds.end()) > rattler_share * flow) return false;
   if (quantile(speeds, slow_majority) > rest_speed_share * flow) return false;
-  const double body = size_of({s.body_force[0], s.body_force[1], s.body_force[2]});
   std::vector<double> forces;
   for (const int i : upstream) {
-    const double drive = stokes_coefficient(s.fluid.viscosity, 2 * p[i].radius) * flow + body;
+    const double drive =
+        stokes_coefficient(s.fluid.viscosity, 2 * p[i].radius) * flow + size_of(external_force(s, p[i].mass));
     forces.push_back(size_of(total_force(state, i)) / drive);
   }
   return quantile(forces, slow_majority) <= rest_force_share;

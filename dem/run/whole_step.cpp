@@ -1,12 +1,13 @@
 #include "dem/run/whole_step.hpp"
 
+#include "dem/run/external_force.hpp"
+
 namespace clogflow {
 
 Vector<double> total_force(const RunState& state, int i) {
   const auto& p = state.particles;
   const auto& scene = state.model.scene;
-  const auto& body = scene.body_force;
-  const Vector<double> other{p[i].fx + body[0], p[i].fy + body[1], p[i].fz + body[2]};
+  const Vector<double> other = Vector<double>{p[i].fx, p[i].fy, p[i].fz} + external_force(scene, p[i].mass);
   const Vector<double> velocity = p[i].velocity();
   return other + (scene.time.integrator == Integrator::verlet
                       ? state.fluid.drag_force(i, velocity)

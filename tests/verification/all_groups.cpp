@@ -13,6 +13,7 @@ std::vector<Entry> all_groups() {
           {"chung_ooi_8", spinning_on_heavy_sphere},
           {"sliding_and_rolling", sliding_and_rolling},
           {"fluid_closed_forms", fluid_closed_forms},
+          {"gravity", gravity},
           {"sizes", sizes},
           {"energy_closed_forms", energy_closed_forms},
           {"energy_of_elastic_springs", energy_of_elastic_springs},

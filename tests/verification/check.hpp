@@ -41,6 +41,7 @@ Group spinning_on_heavy_sphere();  // 8
 // Closed forms.
 Group sliding_and_rolling();
 Group fluid_closed_forms();
+Group gravity();
 Group sizes();
 
 // Invariants.

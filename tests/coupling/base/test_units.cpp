@@ -107,7 +107,7 @@ TEST(Units, ArePrintedAsPeopleWriteThem) {
       {"3 MPa", {3e6, dimension::pressure, false}},  {"1.8 mPa s", {1.8e-3, dimension::viscosity, false}},
       {"1 nN", {1e-9, dimension::force, false}},     {"1062 kg/m3", {1062, dimension::density, false}},
       {"50 1/s", {50, dimension::rate, false}},      {"1e-300 m", {1e-300, dimension::length, false}},
-      {"9.81 m s-2", {9.81, {1, 0, -2}, false}},
+      {"9.81 m/s2", {9.81, {1, 0, -2}, false}},
   };
   for (const auto& [text, quantity] : examples) EXPECT_EQ(format_quantity(quantity.si, quantity.dimension), text);
   EXPECT_EQ(format_angle(std::numbers::pi / 3), "60 deg");

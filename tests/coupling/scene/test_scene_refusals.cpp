@@ -61,6 +61,7 @@ TEST(SceneRefusals, OfSingleValues) {
       {"inlet.start=ful", "inlet.start = \"ful\" (must be \"filled\", \"empty\" or \"flowing\")"},
       {"flow.source=foam", "(must be \"openfoam\", \"uniform\" or \"none\")"},
       {"drag.enabled=1", "(must be true or false)"},
+      {"gravity=9.81 m/s2", "(must be three values in brackets, each an acceleration"},
       {"porosity.strips=3.5", "(must be a whole number, e.g. 3)"},
       {"porosity.strips=-1", "(must be in [0, 1000])"},
       {"flow.mesh_cells_per_neck=1", "(must be in [4, 400])"},
@@ -78,7 +79,7 @@ TEST(SceneRefusals, OfSingleValues) {
       {"contact=3", "contact = 3 (a section: write [contact] on a line of its own)"},
       {"friction.sliding=1", "(unknown key; the nearest known key is contact.friction.sliding)"},
       {"particles=x", "(a section"},
-      {"gravity=9.81", "gravity = 9.81 (unknown key)"},
+      {"weather=9.81", "weather = 9.81 (unknown key)"},
       {"fluid.visc=1", "(unknown key)"},
       {"fluid.viscosity=1,8 mPa s", "(a decimal comma: write a point, \"1.8 mPa s\")"},
       {"fluid.viscosity=1.8 mPas", "(unknown unit \"mPas\": write a space between two units, \"mPa s\")"},
@@ -128,6 +129,11 @@ TEST(SceneRefusals, OfShapesThatAreImpossible) {
 TEST(SceneRefusals, OfKeysWithoutTheirProtocol) {
   const std::pair<Overrides, std::string> cases[] = {
       {{"inlet.start=filled", "inlet.strain=3"}, "inlet.strain = 3 (is only for inlet.start = \"flowing\")"},
+      {{"inlet.start=filled", "inlet.concentration=0.02"},
+       "inlet.concentration = 0.02 (is for inlet.start = \"empty\": other starts are dense)"},
+      {{"inlet.start=empty", "inlet.concentration=0.02", "inlet.rate=3 1/s"},
+       "inlet.concentration = 0.02 (says how many come in, as inlet.rate does): leave one out"},
+      {{"inlet.start=empty", "inlet.concentration=0.4"}, "inlet.concentration = 0.4 (must be in [0, 0.3])"},
       {{"unclog.protocol=release", "unclog.strain=3"}, "unclog.strain = 3 (is only for unclog.protocol = \"restart\")"},
       {{"unclog.protocol=stop", "unclog.region=1"},
        "unclog.region = 1 (is only for unclog.protocol = \"release\" or \"restart\")"},

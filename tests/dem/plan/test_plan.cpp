@@ -60,8 +60,8 @@ TEST(Dimensionless, ResponseTime) {
 TEST(Dimensionless, SettlingOfAHeavierSphere) {
   SphereInFluid heavy = paper;
   heavy.density += 100;
-  // 100 x 9.81 x 1.089e-9 / (18 x 1.8e-3 x 5e-3)
-  EXPECT_NEAR(settling_ratio(heavy, 5e-3), 6.5945e-3, 1e-6);
+  // 100 x 9.80665 x 1.089e-9 / (18 x 1.8e-3 x 5e-3)
+  EXPECT_NEAR(settling_ratio(heavy, 5e-3), 6.5922e-3, 1e-6);
   EXPECT_EQ(settling_ratio(paper, 5e-3), 0);
 }
 

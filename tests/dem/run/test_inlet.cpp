@@ -62,6 +62,37 @@ TEST(Inlet, KeepsToARate) {
   EXPECT_EQ(bench.inlet.insert(bench.particles, bench.fluid, bench.random, 0.0041), 2);
 }
 
+TEST(Inlet, KeepsToAConcentration) {
+  // 2 % of 5 mm/s x 400 um x 100 um in spheres of 33 um: 212.6 a second.
+  Bench bench(short_channel_scene({"inlet.start=empty", "inlet.concentration=0.02"}));
+  EXPECT_EQ(bench.inlet.insert(bench.particles, bench.fluid, bench.random, 0.0047), 1);
+  EXPECT_EQ(bench.inlet.insert(bench.particles, bench.fluid, bench.random, 0.0093), 1);
+  EXPECT_FALSE(bench.inlet.waits(0.0094));
+  EXPECT_TRUE(bench.inlet.waits(0.0095));
+}
+
+TEST(Inlet, BringsParticlesWhereTheFlowIs) {
+  Bench bench(short_channel_scene({"inlet.start=empty", "inlet.concentration=0.02"}));
+  // A shear along y: no flow at one wall, 10 mm/s at the other.
+  FlowGrid& grid = bench.grid;
+  const double half = bench.scene.geometry.channel_width / 2, r = bench.scene.particles.diameter / 2;
+  for (int k = 0; k < grid.points[2]; ++k)
+    for (int j = 0; j < grid.points[1]; ++j)
+      for (int i = 0; i < grid.points[0]; ++i)
+        grid.velocity[3 * grid.index(i, j, k)] =
+            static_cast<float>(1e-2 * std::clamp((grid.origin.y() + j * grid.spacing + half) / (2 * half), 0.0, 1.0));
+  double sum = 0;
+  int count = 0;
+  for (int k = 1; count < 4000; ++k) {
+    count += bench.inlet.insert(bench.particles, bench.fluid, bench.random, k * 1e-2);
+    for (std::size_t i = 0; i < bench.particles.size(); ++i) sum += bench.particles[i].y;
+    bench.particles = {};
+  }
+  // y from -half + r to half - r with a density in proportion to y + half has the mean (half - r)^2 / (3 half).
+  const double wanted = (half - r) * (half - r) / (3 * half), spread = half / std::sqrt(3) / std::sqrt(4000);
+  EXPECT_NEAR(sum / count, wanted, 4 * spread);
+}
+
 TEST(Inlet, ScattersWithoutOverlap) {
   Bench bench(cheap_paper_scene());
   bench.inlet.scatter(bench.particles, bench.random);
