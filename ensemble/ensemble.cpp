@@ -140,7 +140,7 @@ private:
   SeedEnd run(const Job& job) {
     const Stopwatch watch;
     const double passages_before = mine_.passages;
-    const SeedEnd end = attempt(job, [&, last = Progress{}](const Progress& now) mutable {
+    const SeedEnd end = attempt(job, [&](const Progress& now) {
       const double seconds = watch.seconds();
       mine_.filling = now.filling, mine_.clogged = !now.filling && now.clogged;
       mine_.flowing = !now.filling && !now.clogged;

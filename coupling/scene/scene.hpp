@@ -111,9 +111,9 @@ struct Scene {
   struct Inlet {
     bool enabled = false;
     InletStart start = InletStart::filled;
-    double rate = 0;  ///< largest number of insertions per second [1/s]; 0: as many as fit
+    double rate = 0;           ///< largest number of insertions per second [1/s]; 0: as many as fit
     double concentration = 0;  ///< share of the inflow's volume that is particles [-]; 0: as many as fit
-    int taps = 2;     ///< moments without friction that consolidate a filled start [-]
+    int taps = 2;              ///< moments without friction that consolidate a filled start [-]
     /// Solids that pass the neck without friction before a flowing start counts, in neck widths times its
     /// cross-section [-]
     double strain = 0;
