@@ -36,7 +36,7 @@ struct Moved {
   none.store(first + 4, record_stride, used);
 }
 
-[[gnu::flatten]] AdvanceTally advance(const AdvanceTask& given) {
+[[maybe_unused, gnu::flatten]] AdvanceTally advance(const AdvanceTask& given) {
   const AdvanceTask task = given;
   const ParticlePointers& p = task.particles;
   const Lanes kick(task.kick), drift(task.drift), half(0.5), plane(task.passage);

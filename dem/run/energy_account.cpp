@@ -2,9 +2,9 @@
 
 #include "coupling/base/require.hpp"
 #include "dem/physics/drag.hpp"
-#include "dem/run/external_force.hpp"
 #include "dem/run/present_network.hpp"
 #include "dem/run/whole_step.hpp"
+#include "dem/state/external_force.hpp"
 
 namespace clogflow {
 

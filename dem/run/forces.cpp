@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "dem/run/external_force.hpp"
 #include "dem/run/present_network.hpp"
+#include "dem/state/external_force.hpp"
 
 namespace clogflow {
 
@@ -61,7 +61,7 @@ AdvanceTask advance_task(RunState& state) {
   const Vector<double> external = external_force(s, equal_mass);
   for (int a = 0; a < 3; ++a) {
     task.body_force[a] = std::array{external.x, external.y, external.z}[a];
-    task.weight_per_mass[a] = equal_mass > 0 ? 0 : weight_per_mass(s, a);
+    task.weight_per_mass[a] = equal_mass > 0 ? 0 : weight_per_mass(s, s.gravity[a]);
     task.weighs = task.weighs || task.weight_per_mass[a] != 0;
   }
   task.kick = state.clock.kick();

@@ -5,8 +5,8 @@
 
 #include "coupling/base/quantile.hpp"
 #include "dem/physics/drag.hpp"
-#include "dem/run/external_force.hpp"
 #include "dem/run/whole_step.hpp"
+#include "dem/state/external_force.hpp"
 
 namespace clogflow {
 

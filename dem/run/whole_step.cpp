@@ -1,6 +1,5 @@
 #include "dem/run/whole_step.hpp"
-
-#include "dem/run/external_force.hpp"
+#include "dem/state/external_force.hpp"
 
 namespace clogflow {
 

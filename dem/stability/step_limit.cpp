@@ -13,9 +13,9 @@
 #include "dem/physics/dimensionless.hpp"
 #include "dem/physics/lubrication.hpp"
 #include "dem/physics/time_step.hpp"
-#include "dem/physics/weight.hpp"
 #include "dem/stability/network_limit.hpp"
 #include "dem/stability/pack_estimates.hpp"
+#include "dem/state/external_force.hpp"
 #include "dem/state/initial_particles.hpp"
 
 namespace clogflow {
@@ -44,8 +44,7 @@ double expected_overlap(const StepScene& asked, const Particle& sphere, const st
   const double d = 2 * sphere.radius, v = s.flow_speed();
   double impact = v > 0 ? collision_speed_share * v : 0;
   for (const Particle& p : initial) impact = std::max(impact, p.velocity().norm());
-  const double weight = sphere.mass * weight_per_mass(Vec3(s.gravity.data()).norm(), s.particles.density,
-                                                      s.fluid.density, s.time.mass_scale);
+  const double weight = sphere.mass * weight_per_mass(s, Vec3(s.gravity.data()).norm());
   double load = arch_load * (Vec3(s.body_force.data()).norm() + std::abs(weight));
   if (s.drag.enabled)
     load +=
