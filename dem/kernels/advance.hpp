@@ -36,7 +36,9 @@ struct Moved {
   none.store(first + 4, record_stride, used);
 }
 
-[[maybe_unused, gnu::flatten]] AdvanceTally advance(const AdvanceTask& given) {
+/// \tparam weighs  as the task's: without weights they cost nothing
+template <bool weighs>
+[[gnu::flatten]] AdvanceTally advance_all(const AdvanceTask& given) {
   const AdvanceTask task = given;
   const ParticlePointers& p = task.particles;
   const Lanes kick(task.kick), drift(task.drift), half(0.5), plane(task.passage);
@@ -60,8 +62,8 @@ struct Moved {
     Lanes speed2(0.0);
     for (int a = 0; a < 3; ++a) {
       const Lanes before = m.motion.c[a];
-      const Lanes external =
-          task.weighs ? m.motion.c[3] * task.weight_per_mass[a] + task.body_force[a] : Lanes(task.body_force[a]);
+      Lanes external(task.body_force[a]);
+      if constexpr (weighs) external += m.motion.c[3] * task.weight_per_mass[a];
       const Lanes other = m.force.c[a] + external;
       const Lanes drag = task.drag ? c * (load_part(fluid[a] + from, used) - before) : Lanes(0.0);
       const Lanes after = before + share * rate * (other + drag);
@@ -92,6 +94,10 @@ struct Moved {
   for (int k = 0; k < lanes; ++k)
     if (fastest[k] > largest || fastest[k] != fastest[k]) largest = fastest[k];
   return {__builtin_sqrt(largest), stdx::reduce(drag_work), stdx::reduce(body_work), crossed};
+}
+
+[[maybe_unused]] AdvanceTally advance(const AdvanceTask& task) {
+  return task.weighs ? advance_all<true>(task) : advance_all<false>(task);
 }
 
 }  // namespace
