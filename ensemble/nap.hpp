@@ -11,14 +11,16 @@ namespace clogflow {
 /// what a short wait does not notice to what a long one costs nothing.
 class Nap {
 public:
+  /// \param longest  short where others wait for this one to pass something on
+  explicit Nap(std::chrono::milliseconds longest) : longest_(longest) {}
+
   void operator()() {
     std::this_thread::sleep_for(next_);
-    next_ = std::min(2 * next_, longest);
+    next_ = std::min(2 * next_, longest_);
   }
 
 private:
-  static constexpr std::chrono::microseconds longest{20'000};
-  std::chrono::microseconds next_{50};
+  std::chrono::microseconds longest_, next_{50};
 };
 
 }  // namespace clogflow

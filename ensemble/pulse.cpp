@@ -11,6 +11,8 @@ namespace {
 /// Between two sums: a share of the time so far, so that short calls end soon and long ones are not disturbed.
 constexpr double pause_share = 0.005, shortest_pause = 0.02, longest_pause = 1;  // [-] [s] [s]
 
+constexpr std::chrono::milliseconds longest_settling{2}, longest_finishing{20};
+
 }  // namespace
 
 bool Pulse::is_due() const {
@@ -50,7 +52,7 @@ void Pulse::beat(const Standing& mine) {
 void Pulse::settle(const Standing& mine) {
   for (bool is_new = true; is_new;) {
     if (!under_way_) begin(mine);
-    for (Nap nap;; nap()) {
+    for (Nap nap(longest_settling);; nap()) {
       ranks_.serve();
       const auto sum = ranks_.ended_sum();
       if (!sum) continue;
@@ -62,7 +64,7 @@ void Pulse::settle(const Standing& mine) {
 
 void Pulse::finish(Standing mine, const std::function<void()>& meanwhile) {
   mine.finished = 1;
-  for (Nap nap;; nap()) {
+  for (Nap nap(longest_finishing);; nap()) {
     beat(mine);
     meanwhile();
     if (is_last_) return;

@@ -24,6 +24,7 @@ namespace {
 
 constexpr int line_tag = 1, want_tag = 2, number_tag = 3;
 constexpr std::chrono::seconds between_roll_calls{1};
+constexpr std::chrono::milliseconds longest_passing{2}, longest_idle{20};
 constexpr std::size_t own_of_mpi = std::size_t{4} << 20;  // beside the numbers, in shared memory [byte]
 constexpr std::size_t numbers_per_message = std::size_t{1} << 28;
 
@@ -50,7 +51,7 @@ void check_launcher() {
 }
 
 void patiently(MPI_Request& request) {
-  for (Nap nap;; nap()) {
+  for (Nap nap(longest_passing);; nap()) {
     int done = 0;
     MPI_Test(&request, &done, MPI_STATUS_IGNORE);
     if (done) return;
@@ -347,7 +348,7 @@ void Ranks::abandon(const std::string& why) {
 void Ranks::wait(const std::function<void()>& meanwhile) {
   if (!job_) return;
   MPI_Request all = MPI_REQUEST_NULL;
-  Nap nap;
+  Nap nap(longest_idle);
   for (int done = 0; !done;) {
     serve();
     // A line is there when it was taken, so whoever has come here has none on its way.
