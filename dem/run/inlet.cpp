@@ -50,7 +50,8 @@ bool Inlet::carries(const Fluid& fluid, const Vec3& place, Random& random) {
   if (model_->scene.inlet.concentration == 0) return true;
   const bool is_first = fastest_ == 0;
   for (int k = 0; is_first && k < looks * looks; ++k) {
-    const double y = (k / looks) / (looks - 1.0), z = (k % looks) / (looks - 1.0);
+    const int row = k / looks, column = k % looks;
+    const double y = row / (looks - 1.0), z = column / (looks - 1.0);
     const Vec3 at((low_.x() + high_.x()) / 2, low_.y() + y * (high_.y() - low_.y()),
                   low_.z() + z * (high_.z() - low_.z()));
     fastest_ = std::max(fastest_, fluid.field().at(at.x(), at.y(), at.z())[0]);
