@@ -44,5 +44,22 @@ TEST(RestProof, AFlowIsNotAtRestAndNoiseAllowsNone) {
   }
 }
 
+TEST(RestProof, AnInletThatIsOnlySlowMayStillFeedTheClog) {
+  for (const char* rate : {"inlet.rate=0 1/s", "inlet.rate=1 1/s"}) {
+    const Scene scene = stopping_scene({"unclog.protocol=none", "inlet.strain=0.5", rate});
+    const FlowGrid grid = synthetic_flow(scene);
+    Simulation simulation(scene, &grid, 1);
+    simulation.fill({});
+    while (simulation.time() < 0.25) simulation.compute_forces(), simulation.record(), simulation.advance();
+    simulation.compute_forces();
+    const Particles& p = simulation.state().particles;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      if (p[i].x >= 0) continue;
+      ASSERT_LT(std::sqrt(dot(p[i].velocity(), p[i].velocity())), 1e-5 * scene.flow_speed()) << rate;
+    }
+    EXPECT_EQ(rests_for_good(simulation.state()), std::string(rate).ends_with("=0 1/s")) << rate;
+  }
+}
+
 }  // namespace
 }  // namespace clogflow::test
