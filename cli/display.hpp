@@ -31,7 +31,7 @@ private:
   Clock::time_point begin_ = Clock::now(), last_time_ = begin_;
 };
 
-/// "12 of 40 seeds, 2 at work (1 flows, 1 is clogged), ...", with the time left after `seconds` of work.
+/// "12 of 40 seeds, 2 at work (0 filling, 1 flowing, 1 clogged), ...", with the time left after `seconds` of work.
 std::string standing_line(const Standing& all, double seconds);
 
 }  // namespace clogflow::cli

@@ -1,6 +1,6 @@
 #include "cli/run_points.hpp"
 
-#include <map>
+#include <algorithm>
 
 #include "coupling/base/archive.hpp"
 #include "coupling/base/require.hpp"

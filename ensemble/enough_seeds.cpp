@@ -36,11 +36,9 @@ EnoughSeeds::EnoughSeeds(postprocess::StoppingRule rule, Ensemble ensemble, Lear
     : rule_(std::move(rule)),
       ensemble_(std::move(ensemble)),
       scale_(postprocess::clog_scale(ensemble_.scene, {}, "--until")),
-      learns_(learns) {}
-
-std::size_t EnoughSeeds::index_of(std::uint64_t seed) const {
+      learns_(learns) {
   const auto& seeds = ensemble_.scene.ensemble.seeds;
-  return static_cast<std::size_t>(std::ranges::find(seeds, seed) - seeds.begin());
+  for (std::size_t i = 0; i < seeds.size(); ++i) place_.emplace(seeds[i], i);
 }
 
 bool EnoughSeeds::wanted(std::uint64_t seed) {

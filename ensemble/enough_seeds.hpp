@@ -45,13 +45,14 @@ private:
   void read_on();
   void take(const postprocess::Totals& next);
   std::size_t next_rows() const;
-  std::size_t index_of(std::uint64_t seed) const;
+  std::size_t index_of(std::uint64_t seed) const { return place_.at(seed); }
   std::optional<postprocess::Totals> totals_of_seed(std::uint64_t seed) const;
 
   postprocess::StoppingRule rule_;
   Ensemble ensemble_;
   postprocess::ClogScale scale_;
   Learns learns_;
+  std::map<std::uint64_t, std::size_t> place_;       // of each seed in the list
   std::vector<postprocess::Totals> read_;            // of the first seeds
   std::optional<std::size_t> enough_;                // so many
   std::map<std::size_t, postprocess::Totals> mine_;  // of later seeds, known to this rank

@@ -270,6 +270,7 @@ std::vector<std::string> check_directories(const EnsembleCall& call) {
 }
 
 EnsembleResult run_ensembles(const EnsembleCall& call, const Audience& audience) {
+  // A rank on a node that does not see the folder must not begin.
   for (const Ensemble& ensemble : call.ensembles) make_directory(ensemble.directory);
   return Rank(call, audience).work();
 }

@@ -35,9 +35,10 @@ void check_covers_walls(const FlowGrid& grid, const Scene& scene) {
 }  // namespace
 
 double grid_flux(const FlowGrid& grid, int i) {
+  const std::span<const float> field = grid.field();
   double sum = 0;
   for (int k = 0; k < grid.points[2]; ++k) {
-    for (int j = 0; j < grid.points[1]; ++j) sum += grid.field()[3 * grid.index(i, j, k)];
+    for (int j = 0; j < grid.points[1]; ++j) sum += field[3 * grid.index(i, j, k)];
   }
   return sum * grid.spacing * grid.spacing;
 }

@@ -7,6 +7,7 @@ namespace clogflow {
 
 LookupError lookup_error(const FlowGrid& grid, double speed) {
   const auto [nx, ny, nz] = grid.points;
+  const std::span<const float> field = grid.field();
   double second = 0, slope = 0, count = 0;
   const std::array<std::size_t, 3> step{1, static_cast<std::size_t>(nx), static_cast<std::size_t>(nx) * ny};
   for (int k = 1; k + 1 < nz; ++k)
@@ -20,9 +21,9 @@ LookupError lookup_error(const FlowGrid& grid, double speed) {
         for (std::size_t c = 0; c < 3; ++c) {
           double curvature = 0;
           for (const std::size_t s : step) {
-            const double before = grid.field()[3 * (at - s) + c];
-            const double here = grid.field()[3 * at + c];
-            const double after = grid.field()[3 * (at + s) + c];
+            const double before = field[3 * (at - s) + c];
+            const double here = field[3 * at + c];
+            const double after = field[3 * (at + s) + c];
             curvature += before - 2 * here + after;
             slope += std::pow((after - before) / 2, 2);
           }
