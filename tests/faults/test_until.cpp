@@ -144,6 +144,17 @@ TEST_F(Until, RanksThatUsedAllSeedsSaySoAndFail) {
   EXPECT_THAT(mpi.said(), HasSubstr(": give more --seeds\n"));
 }
 
+TEST_F(Until, WhatOneRankCannotWriteEndsTheCallOfAll) {
+  ASSERT_NO_FATAL_FAILURE(run_all());
+  std::filesystem::create_directories(job_.path("cannot/run_0002.xmf/taken"));
+  for (const int seed : {1, 2, 3, 4})
+    std::filesystem::copy_file(job_.path("all") / run_file_name(seed),
+                               job_.path("cannot") / fmt::format("ahead_{:04d}.h5", seed));
+  MpiJob mpi({"--timeout", "60", "-np", "3"}, words("cannot", rule_), job_.path("log_cannot"));
+  EXPECT_EQ(mpi.wait(), 1) << mpi.said();
+  EXPECT_THAT(mpi.said(), HasSubstr("run_0002.xmf (cannot be written"));
+}
+
 TEST_F(Until, EveryPointOfASweepDecidesForItself) {
   auto arguments = words("sweep", "passages>=1");
   arguments.insert(arguments.end(), {"--sweep", "contact.friction.rolling=0.3,0.6"});
