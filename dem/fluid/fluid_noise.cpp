@@ -5,7 +5,7 @@
 #include <unordered_map>
 
 #include "dem/physics/ornstein_uhlenbeck.hpp"
-#include "dem/state/counter_random.hpp"
+#include "dem/state/normal_numbers.hpp"
 
 namespace clogflow {
 

@@ -30,6 +30,11 @@ constexpr int looks = 65;
 /// layers form.
 constexpr double slab_depth = 2;
 
+/// Uniform in the box; in braces the three numbers are drawn in the order in which they stand.
+Vec3 random_place(const Vec3& low, const Vec3& high, RandomStream& random) {
+  return Vec3{random.uniform(low.x(), high.x()), random.uniform(low.y(), high.y()), random.uniform(low.z(), high.z())};
+}
+
 }  // namespace
 
 Inlet::Inlet(const Model& model) : model_(&model), enabled_(model.scene.inlet.enabled), rate_(model.scene.inlet.rate) {
@@ -46,7 +51,7 @@ Inlet::Inlet(const Model& model) : model_(&model), enabled_(model.scene.inlet.en
 }
 
 /// Whether the flow would have brought a particle here rather than elsewhere.
-bool Inlet::carries(const Fluid& fluid, const Vec3& place, Random& random) {
+bool Inlet::carries(const Fluid& fluid, const Vec3& place, RandomStream& random) {
   if (model_->scene.inlet.concentration == 0) return true;
   const bool is_first = fastest_ == 0;
   for (int k = 0; is_first && k < looks * looks; ++k) {
@@ -59,7 +64,7 @@ bool Inlet::carries(const Fluid& fluid, const Vec3& place, Random& random) {
   return random.uniform(0, fastest_) <= fluid.field().at(place.x(), place.y(), place.z())[0];
 }
 
-int Inlet::insert(Particles& p, const Fluid& fluid, Random& random, double time) {
+int Inlet::insert(Particles& p, const Fluid& fluid, RandomStream& random, double time) {
   const double r = model_->scene.particles.diameter / 2;
   std::vector<int> near;
   for (std::size_t i = 0; i < p.size(); ++i)
@@ -69,8 +74,7 @@ int Inlet::insert(Particles& p, const Fluid& fluid, Random& random, double time)
   int inserted = 0;
   for (int attempt = 0; attempt < attempts; ++attempt) {
     if (rate_ > 0 && static_cast<double>(fed_) >= rate_ * time) break;
-    const Vec3 c(random.uniform(low_.x() + r, high_.x() - r), random.uniform(low_.y() + r, high_.y() - r),
-                 random.uniform(low_.z() + r, high_.z() - r));
+    const Vec3 c = random_place(low_ + Vec3::Constant(r), high_ - Vec3::Constant(r), random);
     if (!carries(fluid, c, random)) continue;
     const bool free = std::none_of(near.begin(), near.end(), [&](int i) {
       const double apart = r + p[i].radius;
@@ -94,7 +98,7 @@ int Inlet::insert(Particles& p, const Fluid& fluid, Random& random, double time)
   return inserted;
 }
 
-void Inlet::scatter(Particles& p, Random& random) {
+void Inlet::scatter(Particles& p, RandomStream& random) {
   const double r = model_->scene.particles.diameter / 2;
   const double end = -narrowing_length(model_->scene.geometry);
   const Vec3 low = low_ + Vec3::Constant(r), high = Vec3(end, high_.y(), high_.z()) - Vec3::Constant(r);
@@ -109,8 +113,7 @@ void Inlet::scatter(Particles& p, Random& random) {
   const auto cell = [&](double value, double from) { return 1 + static_cast<int>((value - from) / (2 * r)); };
   std::int64_t placed = 0;
   for (std::int64_t attempt = 0; placed < wanted && attempt < attempts_per_scattered * wanted; ++attempt) {
-    const Vec3 c(random.uniform(low.x(), high.x()), random.uniform(low.y(), high.y()),
-                 random.uniform(low.z(), high.z()));
+    const Vec3 c = random_place(low, high, random);
     const int cx = cell(c.x(), low.x()), cy = cell(c.y(), low.y()), cz = cell(c.z(), low.z());
     bool free = true;
     for (int x = cx - 1; free && x <= cx + 1; ++x)

@@ -3,10 +3,10 @@
 
 #include <cstdint>
 
+#include "coupling/base/random_stream.hpp"
 #include "dem/fluid/fluid.hpp"
 #include "dem/run/model.hpp"
 #include "dem/state/particles.hpp"
-#include "dem/state/random.hpp"
 #include "dem/state/valid.hpp"
 
 namespace clogflow {
@@ -33,10 +33,10 @@ public:
   void number_from(std::int64_t first) { first_id_ = first; }
 
   /// Tries to insert at time t. \return number inserted
-  int insert(Particles& particles, const Fluid& fluid, Random& random, double time);
+  int insert(Particles& particles, const Fluid& fluid, RandomStream& random, double time);
 
   /// Fills the straight channel at random, loosely: the flow then packs it against the gate.
-  void scatter(Particles& particles, Random& random);
+  void scatter(Particles& particles, RandomStream& random);
 
   std::int64_t inserted() const { return next_id_; }
   /// Particles that there ever were, those from the start too.
@@ -66,7 +66,7 @@ public:
 private:
   const Model* model_;
   bool enabled_;
-  bool carries(const Fluid& fluid, const Vec3& place, Random& random);
+  bool carries(const Fluid& fluid, const Vec3& place, RandomStream& random);
 
   double interval_ = 0, rate_;
   double fastest_ = 0;  // of the flow in the slab, where places are taken in proportion to it [m/s]

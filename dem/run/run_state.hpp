@@ -19,7 +19,7 @@
 #include "dem/run/step_clock.hpp"
 #include "dem/stability/step_watch.hpp"
 #include "dem/state/particles.hpp"
-#include "dem/state/random.hpp"
+#include "coupling/base/random_stream.hpp"
 
 namespace clogflow {
 
@@ -33,7 +33,7 @@ struct RunState {
   const Model& model;
   const std::uint64_t seed;
   StepClock clock;
-  Random random;
+  RandomStream random;
   Inlet inlet;
   Filling filling;
   ClogWatch clog_watch;

@@ -8,7 +8,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "dem/state/random.hpp"
+#include "coupling/base/random_stream.hpp"
 
 namespace clogflow {
 
@@ -32,11 +32,11 @@ template <class Apply>
 double largest_eigenvalue(Eigen::Index size, const LanczosQuality& quality, Apply&& apply) {
   // Below this share of the matrix's size a rest is rounding: the start's components are all found.
   constexpr double nothing = 1e-12;
-  Random random(1);
+  RandomStream random(1);
   Eigen::VectorXd now(size), before = Eigen::VectorXd::Zero(size), next(size);
   // Normal in each component, by Box and Muller, so that no direction is preferred.
   for (Eigen::Index k = 0; k < size; ++k)
-    now[k] = std::sqrt(-2 * std::log(1 - random.uniform(0, 1))) * std::cos(2 * M_PI * random.uniform(0, 1));
+    now[k] = std::sqrt(-2 * std::log(1 - random.uniform())) * std::cos(2 * M_PI * random.uniform());
   now.normalize();
   std::vector<double> diagonal, beside;
   bool all_found = false;

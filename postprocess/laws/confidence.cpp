@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "coupling/base/quantile.hpp"
-#include "postprocess/laws/random_stream.hpp"
+#include "coupling/base/random_stream.hpp"
 
 namespace clogflow::postprocess {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "coupling/base/random_stream.hpp"
 #include "postprocess/laws/censored.hpp"
-#include "postprocess/laws/random_stream.hpp"
 #include "postprocess/laws/survival.hpp"
 
 namespace clogflow::postprocess {

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <numeric>
 
+#include "coupling/base/random_stream.hpp"
 #include "coupling/base/require.hpp"
 #include "postprocess/laws/cutting_times.hpp"
 #include "postprocess/laws/goodness_of_fit.hpp"
 #include "postprocess/laws/hazard.hpp"
 #include "postprocess/laws/parallel.hpp"
-#include "postprocess/laws/random_stream.hpp"
 #include "postprocess/laws/survival.hpp"
 
 namespace clogflow::postprocess {

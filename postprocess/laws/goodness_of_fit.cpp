@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numeric>
 
+#include "coupling/base/random_stream.hpp"
 #include "coupling/base/require.hpp"
 #include "postprocess/laws/parallel.hpp"
 #include "postprocess/laws/pareto_tail.hpp"
-#include "postprocess/laws/random_stream.hpp"
 #include "postprocess/laws/zeta_tail.hpp"
 
 namespace clogflow::postprocess {

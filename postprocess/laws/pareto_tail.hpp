@@ -3,8 +3,8 @@
 
 #include <cstddef>
 
+#include "coupling/base/random_stream.hpp"
 #include "postprocess/laws/ks_distance.hpp"
-#include "postprocess/laws/random_stream.hpp"
 #include "postprocess/laws/sorted_sample.hpp"
 
 namespace clogflow::postprocess {

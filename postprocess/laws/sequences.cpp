@@ -5,9 +5,9 @@
 #include <numeric>
 #include <span>
 
+#include "coupling/base/random_stream.hpp"
 #include "coupling/base/require.hpp"
 #include "postprocess/laws/parallel.hpp"
-#include "postprocess/laws/random_stream.hpp"
 
 namespace clogflow::postprocess {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "coupling/base/random_stream.hpp"
 #include "postprocess/laws/ks_distance.hpp"
-#include "postprocess/laws/random_stream.hpp"
 #include "postprocess/laws/sorted_sample.hpp"
 
 namespace clogflow::postprocess {

@@ -3,10 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include "coupling/base/philox.hpp"
 #include "dem/fluid/fluid_noise.hpp"
 #include "dem/physics/drag.hpp"
 #include "dem/physics/ornstein_uhlenbeck.hpp"
-#include "dem/state/counter_random.hpp"
+#include "dem/state/normal_numbers.hpp"
 #include "tests/dem/laboratory.hpp"
 
 namespace clogflow::test {

@@ -18,7 +18,7 @@ struct Bench {
   Fluid fluid;
   Inlet inlet;
   Particles particles;
-  Random random{3};
+  RandomStream random{3};
 };
 
 TEST(Inlet, NeverInsertsIntoAnotherOrAWall) {

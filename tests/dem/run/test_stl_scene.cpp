@@ -41,7 +41,7 @@ TEST(StlScene, ParticlesEnterBetweenTheWalls) {
   const Fluid fluid = make_fluid(scene, nullptr);
   Inlet inlet(model);
   Particles p;
-  Random random{3};
+  RandomStream random{3};
   inlet.scatter(p, random);
   EXPECT_GT(p.size(), 100u);
   const double r = scene.particles.diameter / 2;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "coupling/base/require.hpp"
-#include "postprocess/laws/random_stream.hpp"
+#include "coupling/base/random_stream.hpp"
 
 namespace clogflow::postprocess {
 
