@@ -35,7 +35,7 @@ std::string known(const postprocess::Estimate& q) {
 
 std::string with_interval(const postprocess::GroupStatistics& group, const char* key) {
   const auto& q = group.of(key);
-  const bool drifts = q.halves && q.halves->ages.value_or(false);
+  const bool drifts = q.halves && q.halves->drifts.value_or(false);
   return known(q.whole) + (drifts ? " (drifts: first and second half differ)" : "");
 }
 

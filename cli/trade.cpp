@@ -14,7 +14,6 @@
 #include "coupling/base/units.hpp"
 #include "ensemble/shared_flow.hpp"
 #include "postprocess/output/report.hpp"
-#include "trade/results.hpp"
 #include "trade/study_file.hpp"
 
 namespace clogflow::cli {
@@ -38,9 +37,9 @@ double budget_seconds(const std::string& text) {
 }
 
 void combine_studies(const TradeOptions& options) {
-  std::vector<nlohmann::json> studies;
+  std::vector<trade::StudySummary> studies;
   for (const fs::path& file : options.combine) studies.push_back(trade::read_study(file));
-  publish_file(trade::combine(studies).dump(1) + "\n", options.out);
+  publish_file(trade::measured_text(trade::combine(studies)), options.out);
 }
 
 void run_on(const TradeOptions& options, Ranks& ranks) {
@@ -55,8 +54,8 @@ void run_on(const TradeOptions& options, Ranks& ranks) {
   trade::run_study(study, ranks, [](const std::string& line) { put(stdout, line + "\n"); });
   ranks.part();
   if (!ranks.is_first()) return;
-  const nlohmann::json results = trade::study_results(study);
-  publish_file(results.dump(1) + "\n", options.out / "trade.json");
+  const trade::StudyResults results = trade::study_results(study);
+  publish_file(trade::study_text(results), options.out / "trade.json");
   const std::string table = trade::table(results);
   publish_file(table, options.out / "trade.txt");
   fmt::print("{}", table);

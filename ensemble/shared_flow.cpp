@@ -16,9 +16,7 @@ std::string packed_head(const FlowGrid& grid) {
   FlowGrid head;
   head.points = grid.points, head.origin = grid.origin, head.spacing = grid.spacing;
   head.scene_text = grid.scene_text, head.hash = grid.hash;
-  std::vector<double> corners;
-  for (const Triangle& triangle : grid.walls)
-    for (const Vec3& corner : triangle.corner) corners.insert(corners.end(), corner.begin(), corner.end());
+  std::vector<double> corners = flatten(grid.walls);
   ArchiveWriter archive;
   exchange_head(head, corners, archive);
   return archive.bytes();

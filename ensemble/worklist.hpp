@@ -20,7 +20,7 @@ struct Job {
   std::uint64_t seed;
 };
 
-/// All seeds of all ensembles, the dearest first, so that no rank begins a long run when the others are done.
+/// All seeds of all ensembles, the longest first, so that no rank begins a long run when the others are done.
 /// Seeds that run ahead of a decision come in their order, so that few of them run in vain.
 std::vector<Job> jobs_of(const std::vector<Ensemble>& ensembles);
 

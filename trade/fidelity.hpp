@@ -3,14 +3,13 @@
 
 #include <string>
 
-#include <nlohmann/json.hpp>
-
 #include "coupling/scene/scene.hpp"
+#include "trade/presets.hpp"
 
 namespace clogflow::trade {
 
 /// The measured settings that this program was built with: trade/measured.json.
-const nlohmann::json& measured_settings();
+const MeasuredSettings& measured_settings();
 
 struct ResolvedScene {
   Scene scene;       ///< its fidelity is empty: it has become keys

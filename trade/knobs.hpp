@@ -13,11 +13,11 @@ enum class Kind { numerics, physics };
 
 /// One way to run a scene.
 struct Setting {
-  std::string name;
-  std::string knob;     ///< what is turned, in words
-  std::string against;  ///< name of the setting that differs in this knob alone; empty: the reference
+  std::string name = {};
+  std::string knob = {};     ///< what is turned, in words
+  std::string against = {};  ///< name of the setting that differs in this knob alone; empty: the reference
   Kind kind = Kind::numerics;
-  Overrides overrides;  ///< of the scene
+  Overrides overrides = {};  ///< of the scene
 };
 
 /// The matrix of the study, the most faithful first, each after the one that it is compared with. The first

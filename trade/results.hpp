@@ -1,11 +1,14 @@
-// Cost against error: what a study found, as data.
+// Cost against error: what a study found.
 #pragma once
 
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
+#include "trade/deterministic.hpp"
+#include "trade/presets.hpp"
+#include "trade/sample.hpp"
 #include "trade/study.hpp"
 
 namespace clogflow::trade {
@@ -13,27 +16,47 @@ namespace clogflow::trade {
 /// Fewer whole bursts than this in a sample, and no difference of it is judged.
 inline constexpr double least_bursts = 10;
 
-/// Everything a study measured, and what it did not run; keys are documented in trade/README.md. The
-/// reference is the first setting of the matrix that has runs. Cost is particle-steps per simulated
-/// second, which the load of the machine does not change; seconds stand beside it.
-nlohmann::json study_results(const Study& study);
+/// What the runs of a setting cost. Particle-steps are the cost, which the load of the machine does not change;
+/// seconds stand beside it.
+struct Cost {
+  int runs = 0;
+  double bursts = 0;
+  double simulated = 0;        ///< filling included [s]
+  double particle_steps = 0;   ///< per simulated second [1/s]
+  double step_over_limit = 0;  ///< [-]
+  double seconds = 0;          ///< of the clock, per simulated second [-]
+};
 
-/// Several studies (diameters) together: each setting of numerics that all of them ran with the same
-/// overrides (those aside that were dearer than a study's reference), its smallest gain in cost over the
-/// studies with the first one's reference, its largest errors, and the presets.
-///   reference  the first setting
-///   standard   the cheapest whose `error` is at most 5 %
-///   fast       the cheapest whose `error` is at most 10 %
-/// `error` is the largest difference from the reference, over observables and studies, whose interval
-/// excludes zero; `hidden` is the far end of the widest interval: what could hide. A setting whose step came
-/// nearer than `near_limit` to the limit of its contacts is no preset and no tolerance's choice, whatever
-/// these runs showed: a pack a little tighter would shake.
-nlohmann::json combine(const std::vector<nlohmann::json>& studies);
+using Differences = std::map<std::string, Difference>;  ///< by observable
 
-/// Cheapest entry of `measured` within a tolerance. \throws Error if there is none
-const nlohmann::json& cheapest_within(const nlohmann::json& measured, double tolerance);
+struct SettingResult {
+  Setting setting = {};
+  std::string refused = {};       ///< why it was, or empty
+  std::optional<Cost> cost = {};  ///< absent: it was refused or not run
+  double gain = 0;                ///< cost of the reference over its own [-]
+  Differences differences = {};   ///< from the reference
+  Differences against = {};       ///< from the setting that differs in one knob; empty where that did not run
+  bool is_judged = false;         ///< both have enough bursts
+  double error = 0, hidden = 0;   ///< as in Measured
+  bool on_front = false;          ///< nothing cheaper is as accurate
+};
+
+struct StudyResults {
+  std::string scene = {};      ///< effective
+  double diameter = 0;         ///< [m]
+  std::string reference = {};  ///< the first setting of the matrix that has runs, or empty
+  std::vector<SettingResult> settings = {};
+  std::vector<ShortRun> short_runs = {};
+  Presets presets = {};  ///< by this study alone
+};
+
+/// Everything a study measured, and what it did not run.
+StudyResults study_results(const Study& study);
+
+/// What counts of it beside other studies.
+StudySummary summary_of(const StudyResults& results);
 
 /// A table for a person.
-std::string table(const nlohmann::json& results);
+std::string table(const StudyResults& results);
 
 }  // namespace clogflow::trade

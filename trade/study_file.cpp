@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+
+#include <nlohmann/json.hpp>
 
 #include "coupling/base/json_text.hpp"
 #include "coupling/base/require.hpp"
@@ -11,6 +14,60 @@ namespace clogflow::trade {
 namespace {
 
 using nlohmann::json;
+
+/// JSON has no NaN.
+json number(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
+
+json json_of(const Differences& differences) {
+  json all;
+  for (const auto& [key, d] : differences)
+    all[key] = {{"reference", number(d.reference)},
+                {"value", number(d.value)},
+                {"difference", number(d.difference)},
+                {"low", number(d.low)},
+                {"high", number(d.high)},
+                {"real", d.real()}};
+  return all;
+}
+
+void add_runs(json& entry, const SettingResult& o) {
+  entry["runs"] = o.cost->runs;
+  entry["bursts"] = o.cost->bursts;
+  entry["simulated_s"] = o.cost->simulated;
+  entry["cost"] = o.cost->particle_steps;
+  entry["step_over_limit"] = o.cost->step_over_limit;
+  entry["seconds_per_simulated_s"] = o.cost->seconds;
+  entry["gain"] = o.gain;
+  entry["differences"] = json_of(o.differences);
+  if (!o.against.empty()) entry["against_differences"] = json_of(o.against);
+  if (!o.is_judged) return;
+  entry["error"] = o.error;
+  entry["hidden"] = o.hidden;
+  if (o.setting.kind == Kind::numerics) entry["front"] = o.on_front;
+}
+
+json json_of(const SettingResult& o) {
+  json entry{{"name", o.setting.name},
+             {"knob", o.setting.knob},
+             {"against", o.setting.against},
+             {"kind", o.setting.kind == Kind::numerics ? "numerics" : "physics"},
+             {"overrides", o.setting.overrides}};
+  if (o.cost)
+    add_runs(entry, o);
+  else if (o.refused.empty())
+    entry["not_run"] = true;
+  else
+    entry["refused"] = o.refused;
+  return entry;
+}
+
+json json_of(const ShortRun& run) {
+  json entry{{"name", run.name}, {"refused", run.refused}};
+  if (!run.refused.empty()) return entry;
+  entry["force"] = number(run.force), entry["path"] = number(run.path);
+  entry["overlap"] = run.overlap, entry["particle_steps"] = run.particle_steps;
+  return entry;
+}
 
 bool has_number(const json& object, const char* key) { return object.contains(key) && object[key].is_number(); }
 bool has_text(const json& object, const char* key) { return object.contains(key) && object[key].is_string(); }
@@ -29,12 +86,63 @@ bool is_study(const json& study) {
          study["settings"].is_array() && std::ranges::all_of(study["settings"], is_setting);
 }
 
+Measured measured_of(const json& entry) {
+  return {.name = entry["name"],
+          .overrides = entry.value("overrides", Overrides{}),
+          .gain = entry["gain"],
+          .error = entry["error"],
+          .hidden = entry["hidden"],
+          .step_over_limit = entry["step_over_limit"]};
+}
+
+Seen seen_of(const json& entry) {
+  if (!entry.contains("error"))
+    return {.measured = {.name = entry["name"], .overrides = entry.value("overrides", Overrides{})}};
+  return {.measured = measured_of(entry), .is_numerics = entry["kind"] == "numerics", .is_judged = true};
+}
+
 }  // namespace
 
-json read_study(const std::filesystem::path& file) {
-  json study = parse_json(read_text_file(file));
+std::string study_text(const StudyResults& results) {
+  json file{{"format", "clogflow trade 1"},   {"scene", results.scene},    {"diameter", results.diameter},
+            {"reference", results.reference}, {"settings", json::array()}, {"presets", json(json::value_t::object)}};
+  for (const Observable& o : observables()) file["observables"][o.key] = o.meaning;
+  for (const SettingResult& outcome : results.settings) file["settings"].push_back(json_of(outcome));
+  if (!results.reference.empty()) file["short"] = json::array();
+  for (const ShortRun& run : results.short_runs) file["short"].push_back(json_of(run));
+  for (const auto& [preset, name] : results.presets) file["presets"][preset] = name;
+  return file.dump(1) + "\n";
+}
+
+StudySummary read_study(const std::filesystem::path& file) {
+  const json study = parse_json(read_text_file(file));
   require(is_study(study), "{}: not a trade.json of clog trade, or damaged", file.string());
-  return study;
+  StudySummary summary{study["diameter"], study["reference"], {}};
+  for (const json& entry : study["settings"]) summary.settings.push_back(seen_of(entry));
+  return summary;
+}
+
+std::string measured_text(const MeasuredSettings& measured) {
+  json file{{"format", "clogflow measured 1"}, {"settings", json::array()}, {"presets", measured.presets}};
+  for (const StudySummary& study : measured.studies)
+    file["studies"].push_back({{"diameter", study.diameter}, {"reference", study.reference}});
+  for (const Measured& m : measured.settings)
+    file["settings"].push_back({{"name", m.name},
+                                {"overrides", m.overrides},
+                                {"gain", m.gain},
+                                {"error", m.error},
+                                {"hidden", m.hidden},
+                                {"step_over_limit", m.step_over_limit}});
+  return file.dump(1) + "\n";
+}
+
+MeasuredSettings parse_measured(const std::string& text) {
+  const json file = json::parse(text);
+  MeasuredSettings measured{.presets = file.at("presets").get<Presets>()};
+  for (const json& study : file.at("studies"))
+    measured.studies.push_back({study.at("diameter"), study.at("reference"), {}});
+  for (const json& entry : file.at("settings")) measured.settings.push_back(measured_of(entry));
+  return measured;
 }
 
 }  // namespace clogflow::trade

@@ -1,13 +1,23 @@
-// trade.json, read back for --combine.
+// trade.json and measured.json: what studies found, as files. Keys: trade/README.md.
 #pragma once
 
 #include <filesystem>
+#include <string>
 
-#include <nlohmann/json.hpp>
+#include "trade/results.hpp"
 
 namespace clogflow::trade {
 
-/// \throws Error naming the file, unless it holds what `combine` asks of a study
-nlohmann::json read_study(const std::filesystem::path& file);
+/// trade.json of a study.
+std::string study_text(const StudyResults& results);
+
+/// trade.json, read back for --combine. \throws Error naming the file, unless it holds what `combine` asks of a study
+StudySummary read_study(const std::filesystem::path& file);
+
+/// measured.json of several studies together.
+std::string measured_text(const MeasuredSettings& measured);
+
+/// \throws a JSON error unless the text is of measured_text()
+MeasuredSettings parse_measured(const std::string& text);
 
 }  // namespace clogflow::trade

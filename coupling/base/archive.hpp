@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "coupling/base/require.hpp"
-#include "coupling/base/vec3.hpp"
+#include "coupling/base/vector.hpp"
 
 namespace clogflow {
 
@@ -37,7 +37,7 @@ private:
       raw(&value, sizeof value);
     }
   }
-  void put(Vec3& value) { raw(value.data(), 3 * sizeof(double)); }
+  void put(Vec3& value) { raw(&value, sizeof value); }
   void put(std::string& text) {
     std::size_t size = text.size();
     put(size);
@@ -94,7 +94,7 @@ private:
     require(byte <= 1, "a saved state is damaged");
     value = byte == 1;
   }
-  void take(Vec3& value) { raw(value.data(), 3 * sizeof(double)); }
+  void take(Vec3& value) { raw(&value, sizeof value); }
   void take(std::string& text) {
     text.resize(take_size(1));
     raw(text.data(), text.size());

@@ -14,7 +14,8 @@ namespace clogflow {
 class RandomStream {
 public:
   /// \param number  below 2^32; the rest of the counters belongs to dem/state/normal_numbers
-  explicit RandomStream(std::uint64_t seed, std::uint64_t number = 0) : seed_(seed), number_(number) {}
+  RandomStream(std::uint64_t seed, std::uint64_t number) : seed_(seed), number_(number) {}
+  explicit RandomStream(std::uint64_t seed) : RandomStream(seed, 0) {}
 
   std::uint64_t next() {
     const auto words = philox({low_word(drawn_), high_word(drawn_), low_word(number_), high_word(number_)},

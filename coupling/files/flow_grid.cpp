@@ -40,13 +40,6 @@ std::string fault(const FlowGrid& grid) {
   return {};
 }
 
-std::vector<double> flatten(const Walls& walls) {
-  std::vector<double> numbers;
-  for (const Triangle& triangle : walls)
-    for (const Vec3& corner : triangle.corner) numbers.insert(numbers.end(), corner.begin(), corner.end());
-  return numbers;
-}
-
 Walls unflatten(const Hdf5Array<double>& numbers) {
   Walls walls(numbers.shape[0]);
   const double* next = numbers.values.data();
@@ -82,6 +75,13 @@ void read_frame(const Hdf5Reader& file, FlowGrid& grid) {
 
 }  // namespace
 
+std::vector<double> flatten(const Walls& walls) {
+  std::vector<double> numbers;
+  for (const Triangle& triangle : walls)
+    for (const Vec3& corner : triangle.corner) numbers.insert(numbers.end(), {corner.x, corner.y, corner.z});
+  return numbers;
+}
+
 void write_flow_grid(const FlowGrid& grid, const std::filesystem::path& file) {
   const std::string wrong = fault(grid);
   require(wrong.empty(), "{}: {}", file.string(), wrong);
@@ -94,7 +94,7 @@ void write_flow_grid(const FlowGrid& grid, const std::filesystem::path& file) {
   out.attribute("/VTKHDF", "Type", "ImageData");
   out.attribute("/VTKHDF", "unit", "m");
   out.attribute("/VTKHDF", "WholeExtent", std::vector<std::int64_t>{0, nx - 1, 0, ny - 1, 0, nz - 1});
-  out.attribute("/VTKHDF", "Origin", std::vector<double>(grid.origin.begin(), grid.origin.end()));
+  out.attribute("/VTKHDF", "Origin", std::vector<double>{grid.origin.x, grid.origin.y, grid.origin.z});
   out.attribute("/VTKHDF", "Spacing", std::vector<double>(3, grid.spacing));
   out.attribute("/VTKHDF", "Direction", std::vector<double>{1, 0, 0, 0, 1, 0, 0, 0, 1});
   out.write(velocity_path, grid.velocity, {.unit = "m/s", .shape = {size(nz), size(ny), size(nx), 3}});

@@ -39,6 +39,9 @@ struct FlowGrid {
   std::size_t index(int i, int j, int k) const { return (static_cast<std::size_t>(k) * points[1] + j) * points[0] + i; }
 };
 
+/// The corners of the walls, nine numbers a triangle, as files hold them [m]
+std::vector<double> flatten(const Walls& walls);
+
 /// Writes beside, flushes, renames. \throws Error naming the file
 void write_flow_grid(const FlowGrid& grid, const std::filesystem::path& file);
 

@@ -29,7 +29,7 @@ void check_covers_walls(const FlowGrid& grid, const Scene& scene) {
     for (const Vec3& corner : t.corner) low = low.cwiseMin(corner), high = high.cwiseMax(corner);
   for (const int across : {1, 2}) check_reach(grid, across, low[across], high[across]);
   // Upstream the grid may begin anywhere that the flow is developed: its first plane stands for the rest.
-  check_reach(grid, 0, std::min(grid.origin.x(), -narrowing_length(scene.geometry)), channel_end(scene.geometry));
+  check_reach(grid, 0, std::min(grid.origin.x, -narrowing_length(scene.geometry)), channel_end(scene.geometry));
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ double grid_flux(const FlowGrid& grid, int i) {
 PlaneFlux grid_plane(const FlowGrid& grid, int i, const Scene& scene) {
   const double rate = scene.flow.mean_velocity * scene.geometry.channel_width * scene.geometry.neck_height;
   const double flux = grid_flux(grid, i);
-  return {grid.origin.x() + i * grid.spacing, flux, flux / rate - 1};
+  return {grid.origin.x + i * grid.spacing, flux, flux / rate - 1};
 }
 
 std::vector<PlaneFlux> grid_fluxes(const FlowGrid& grid, const Scene& scene, double first) {
@@ -55,7 +55,7 @@ std::vector<PlaneFlux> grid_fluxes(const FlowGrid& grid, const Scene& scene, dou
   std::vector<PlaneFlux> planes;
   for (const double x : {first, bend - g.neck_width, bend, bend / 2, 0.0, g.neck_length / 2, g.neck_length,
                          channel_end(scene.geometry)}) {
-    const int i = static_cast<int>(std::lround((x - grid.origin.x()) / grid.spacing));
+    const int i = static_cast<int>(std::lround((x - grid.origin.x) / grid.spacing));
     if (i < 0 || i >= grid.points[0]) continue;
     planes.push_back(grid_plane(grid, i, scene));
   }
@@ -64,7 +64,7 @@ std::vector<PlaneFlux> grid_fluxes(const FlowGrid& grid, const Scene& scene, dou
 
 void check_flow_fits(const FlowGrid& grid, const Scene& scene) {
   check_covers_walls(grid, scene);
-  for (const PlaneFlux& plane : grid_fluxes(grid, scene, grid.origin.x()))
+  for (const PlaneFlux& plane : grid_fluxes(grid, scene, grid.origin.x))
     require(std::abs(plane.error) < flux_tolerance,
             "the flow file carries {:.4g} m3/s through x = {:.4g} m, which is {:.4g} % off the flow rate of the scene "
             "(allowed {} %): make it anew with clog case and clog map",

@@ -21,7 +21,7 @@ double largest_difference(const FlowGrid& flow, const Scene& scene, const DuctFl
       const std::size_t at = flow.index(i, j, k);
       if (flow.solid[at]) continue;
       const Vec3 place = flow.origin + flow.spacing * Vec3(i, j, k);
-      const Vec3 developed(scene.flow.mean_velocity * duct(place.y(), place.z()), 0, 0);
+      const Vec3 developed(scene.flow.mean_velocity * duct(place.y, place.z), 0, 0);
       const Vec3 velocity(flow.velocity[3 * at], flow.velocity[3 * at + 1], flow.velocity[3 * at + 2]);
       largest = std::max(largest, (velocity - developed).norm());
     }
@@ -41,7 +41,7 @@ double measured_reach(const FlowGrid& flow, const Scene& scene, double tolerance
   for (int i = 0; i < flow.points[0]; ++i)
     if (largest_difference(flow, scene, duct, i) > tolerance)
       return i == 0 ? std::numeric_limits<double>::infinity()
-                    : std::max(0.0, narrowing - (flow.origin.x() + (i - 1) * flow.spacing));
+                    : std::max(0.0, narrowing - (flow.origin.x + (i - 1) * flow.spacing));
   return 0;
 }
 

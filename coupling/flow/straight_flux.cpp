@@ -23,7 +23,7 @@ Margin margin(double first, double second, double wall) {
 
 /// Flux through one plane over spacing squared; none where the section is too narrow for it.
 double plane_flux(const FlowGrid& grid, int i, const ChannelShape& shape) {
-  const double x = grid.origin.x() + i * grid.spacing;
+  const double x = grid.origin.x + i * grid.spacing;
   const double low = -shape.lower.distance(x), high = shape.upper.distance(x);
   std::vector<double> layers, row;
   for (int k = 0; k < grid.points[2]; ++k) {
@@ -37,8 +37,8 @@ double plane_flux(const FlowGrid& grid, int i, const ChannelShape& shape) {
       row.push_back(grid.velocity[3 * at]);
     }
     if (row.size() < 2) return 0;
-    layers.push_back(integral_between_walls(row, (grid.origin.y() - low) / grid.spacing + first,
-                                            (high - grid.origin.y()) / grid.spacing - last));
+    layers.push_back(integral_between_walls(row, (grid.origin.y - low) / grid.spacing + first,
+                                            (high - grid.origin.y) / grid.spacing - last));
   }
   // The layers lie half a spacing from the walls.
   return layers.size() < 2 ? 0 : integral_between_walls(layers, 0.5, 0.5);
@@ -63,7 +63,7 @@ double restore_flow_rate(FlowGrid& grid, const Scene& scene) {
   double largest = 0;
   // The first plane is the series solution of the duct, better than the rule for its flux.
   for (int i = 1; i < grid.points[0]; ++i) {
-    const double x = grid.origin.x() + i * grid.spacing;
+    const double x = grid.origin.x + i * grid.spacing;
     const bool expanded = g.expansion_width > 0 && x > 0 && shape.width(x) > (1 - 1e-9) * g.expansion_width;
     if (x > bend && !expanded) continue;
     const double flux = plane_flux(grid, i, shape) * grid.spacing * grid.spacing;

@@ -31,7 +31,7 @@ std::uint64_t mixed(std::uint64_t h, std::uint64_t bits) {
 std::uint64_t hash_of(const Vec3& place) {
   std::uint64_t h = 0;
   // The sum turns -0 into 0, which is the same place.
-  for (const double x : place) h = mixed(h, std::bit_cast<std::uint64_t>(x + 0.0));
+  for (const double x : place.array()) h = mixed(h, std::bit_cast<std::uint64_t>(x + 0.0));
   return h;
 }
 
@@ -136,7 +136,7 @@ private:
     int count = 0;
     for (int other = first; other >= 0; other = next_[other]) {
       if (++count > most_in_cell) refuse(place_[number]);
-      if (((place_[number] - place_[other]).cwiseAbs().array() > tolerance_).any()) continue;
+      if ((place_[number] - place_[other]).cwiseAbs().maxCoeff() > tolerance_) continue;
       const auto [less, more] = std::minmax({root(number), root(other)});
       joined_[more] = less;
     }
@@ -153,7 +153,7 @@ private:
                     "by a tolerance "
                     "of {:.3g} m, which is larger than the facets there: give "
                     "geometry.stl_tolerance a smaller one",
-                    p.x(), p.y(), p.z(), tolerance_));
+                    p.x, p.y, p.z, tolerance_));
   }
 
   const std::vector<Vec3>& place_;

@@ -48,9 +48,8 @@ public:
   /// axis that it follows most.
   template <class Visit>
   void along(const Vec3& a, const Vec3& b, const Visit& visit) const {
-    int axis;
-    const Vec3 way = b - a, margin = Vec3::Constant(tolerance_);
-    way.cwiseAbs().maxCoeff(&axis);
+    const Vec3 way = b - a, size = way.cwiseAbs(), margin = Vec3::Constant(tolerance_);
+    const int axis = size.x == size.maxCoeff() ? 0 : size.y == size.maxCoeff() ? 1 : 2;
     const int from = index(std::min(a[axis], b[axis]), axis, -tolerance_);
     const int to = index(std::max(a[axis], b[axis]), axis, tolerance_);
     for (int slice = from; slice <= to; ++slice) {
@@ -70,7 +69,7 @@ private:
     return static_cast<int>(std::floor((x + by - low_[axis]) / width_));
   }
 
-  Cell cell_of(const Vec3& p) const { return {index(p.x(), 0, 0), index(p.y(), 1, 0), index(p.z(), 2, 0)}; }
+  Cell cell_of(const Vec3& p) const { return {index(p.x, 0, 0), index(p.y, 1, 0), index(p.z, 2, 0)}; }
 
   template <class Visit>
   void visit_cells(const Cell& low, const Cell& high, const Visit& visit) const {
@@ -103,7 +102,7 @@ void keep_apart(std::vector<HangingCorner>& hanging, double least_share) {
 
 double share_on_edge(const Vec3& a, const Vec3& b, const Vec3& p, double tolerance) {
   const Vec3 along = b - a;
-  const double square = along.squaredNorm(), share = (p - a).dot(along) / square;
+  const double square = along.squaredNorm(), share = dot(p - a, along) / square;
   const double least = tolerance / std::sqrt(square);
   if (!(share > least && share < 1 - least)) return 0;
   return (p - a - share * along).cwiseAbs().maxCoeff() <= tolerance ? share : 0;

@@ -55,9 +55,8 @@ private:
   }
 
   void read_vertex() {
-    Vec3 corner;
-    for (double& x : corner) x = read_number();
-    if (count_ < 3) facet_.corner[count_] = corner;
+    const double x = read_number(), y = read_number(), z = read_number();
+    if (count_ < 3) facet_.corner[count_] = {x, y, z};
     ++count_;
   }
 
@@ -156,10 +155,10 @@ std::string stl_text(const std::vector<StlSolid>& solids, double unit) {
   for (const StlSolid& solid : solids) {
     text += fmt::format("solid {}\n", solid.name);
     for (const Triangle& t : solid.triangles) {
-      const Vec3 n = (t.corner[1] - t.corner[0]).cross(t.corner[2] - t.corner[0]).normalized();
-      text += fmt::format("facet normal {:.6g} {:.6g} {:.6g}\nouter loop\n", n.x(), n.y(), n.z());
+      const Vec3 n = cross(t.corner[1] - t.corner[0], t.corner[2] - t.corner[0]).normalized();
+      text += fmt::format("facet normal {:.6g} {:.6g} {:.6g}\nouter loop\n", n.x, n.y, n.z);
       for (const Vec3& c : t.corner)
-        text += fmt::format("vertex {:.9g} {:.9g} {:.9g}\n", c.x() / unit, c.y() / unit, c.z() / unit);
+        text += fmt::format("vertex {:.9g} {:.9g} {:.9g}\n", c.x / unit, c.y / unit, c.z / unit);
       text += "endloop\nendfacet\n";
     }
     text += fmt::format("endsolid {}\n", solid.name);

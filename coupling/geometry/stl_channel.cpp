@@ -21,7 +21,7 @@
 namespace clogflow {
 namespace {
 
-std::string place_text(const Vec3& p) { return fmt::format("({:.4g}, {:.4g}, {:.4g}) m", p.x(), p.y(), p.z()); }
+std::string place_text(const Vec3& p) { return fmt::format("({:.4g}, {:.4g}, {:.4g}) m", p.x, p.y, p.z); }
 
 // Each edge must belong to two triangles which run along it in opposite directions.
 void require_closed(const StlSurface& surface, const std::string& file) {
@@ -54,14 +54,14 @@ struct Box {
 
 double area(const Walls& walls) {
   double sum = 0;
-  for (const Triangle& t : walls) sum += (t.corner[1] - t.corner[0]).cross(t.corner[2] - t.corner[0]).norm() / 2;
+  for (const Triangle& t : walls) sum += cross(t.corner[1] - t.corner[0], t.corner[2] - t.corner[0]).norm() / 2;
   return sum;
 }
 
 // Twice six times the signed volume is positive for normals that point out.
 double volume(const Walls& surface) {
   double six = 0;
-  for (const Triangle& t : surface) six += t.corner[0].dot(t.corner[1].cross(t.corner[2]));
+  for (const Triangle& t : surface) six += dot(t.corner[0], cross(t.corner[1], t.corner[2]));
   return six / 6;
 }
 
@@ -92,42 +92,42 @@ private:
   void require_flat(const Walls& part, const char* name, double x, double tolerance) const {
     for (const Triangle& t : part)
       for (const Vec3& corner : t.corner)
-        require(std::abs(corner.x() - x) < tolerance,
+        require(std::abs(corner.x - x) < tolerance,
                 "{}: the {} has a corner at x = {:.6g} m (all must lie in the plane x = {:.6g} m, the "
                 "{} of the surface: the flow runs along x)",
-                file_, name, corner.x(), x, name == std::string("inlet") ? "upstream end" : "downstream end");
+                file_, name, corner.x, x, name == std::string("inlet") ? "upstream end" : "downstream end");
   }
 
   StlChannel measured(const Box& box) const {
-    const double tolerance = std::max(same_length * (box.high.x() - box.low.x()), surface_.tolerance);
-    require_flat(inlet_, "inlet", box.low.x(), tolerance);
-    require_flat(outlet_, "outlet", box.high.x(), tolerance);
+    const double tolerance = std::max(same_length * (box.high.x - box.low.x), surface_.tolerance);
+    require_flat(inlet_, "inlet", box.low.x, tolerance);
+    require_flat(outlet_, "outlet", box.high.x, tolerance);
     Box in;
     in.add(inlet_);
     const Vec3 size = in.high - in.low;
-    require(std::abs(area(inlet_) / (size.y() * size.z()) - 1) < 1e-4 &&
-                std::abs(in.low.y() + in.high.y()) < tolerance && std::abs(in.low.z()) < tolerance,
+    require(std::abs(area(inlet_) / (size.y * size.z) - 1) < 1e-4 && std::abs(in.low.y + in.high.y) < tolerance &&
+                std::abs(in.low.z) < tolerance,
             "{}: the inlet fills {:.4g} of y from {:.4g} to {:.4g} m, z from {:.4g} to {:.4g} m (must be a whole "
             "rectangle with y = 0 in its middle and z = 0 at its floor)",
-            file_, area(inlet_) / (size.y() * size.z()), in.low.y(), in.high.y(), in.low.z(), in.high.z());
+            file_, area(inlet_) / (size.y * size.z), in.low.y, in.high.y, in.low.z, in.high.z);
     const double straight_end = straight_until(walls_);
-    require(box.low.x() < 0 && box.high.x() > 0,
+    require(box.low.x < 0 && box.high.x > 0,
             "{}: reaches from x = {:.4g} to {:.4g} m (x = 0 must lie "
             "between, at the neck's entrance)",
-            file_, box.low.x(), box.high.x());
-    require(straight_end > box.low.x() + tolerance && straight_end < tolerance,
+            file_, box.low.x, box.high.x);
+    require(straight_end > box.low.x + tolerance && straight_end < tolerance,
             "{}: its walls are parallel to x up to {:.4g} m (they must be between the inlet, x = {:.4g} m, and some "
             "place before the neck, x = 0: there particles enter and the flow is developed)",
-            file_, straight_end, box.low.x());
+            file_, straight_end, box.low.x);
     const double behind = 2 * tolerance;
     return {.walls = walls_,
-            .inlet = box.low.x(),
-            .outlet = box.high.x(),
-            .width = size.y(),
-            .height = size.z(),
+            .inlet = box.low.x,
+            .outlet = box.high.x,
+            .width = size.y,
+            .height = size.z,
             .straight_end = std::min(straight_end, 0.0),
             .neck_width = section_at(walls_, behind).width(),
-            .neck_length = neck_length(walls_, behind, box.high.x()),
+            .neck_length = neck_length(walls_, behind, box.high.x),
             .note = {}};
   }
 

@@ -51,10 +51,10 @@ std::string names_of(const std::vector<StlSolid>& solids) {
 void find_openings(ChannelFacets& facets) {
   double low = 1e300, high = -1e300;
   for (const Triangle& t : facets.all)
-    for (const Vec3& corner : t.corner) low = std::min(low, corner.x()), high = std::max(high, corner.x());
+    for (const Vec3& corner : t.corner) low = std::min(low, corner.x), high = std::max(high, corner.x);
   const double tolerance = same_length * (high - low);
   const auto lies_at = [&](const Triangle& t, double x) {
-    return std::ranges::all_of(t.corner, [&](const Vec3& corner) { return std::abs(corner.x() - x) < tolerance; });
+    return std::ranges::all_of(t.corner, [&](const Vec3& corner) { return std::abs(corner.x - x) < tolerance; });
   };
   for (std::size_t k = 0; k < facets.all.size(); ++k)
     facets.part[k] = lies_at(facets.all[k], low)    ? ChannelPart::inlet

@@ -51,7 +51,7 @@ std::string extent_words(const Walls& walls, const Geometry& geometry) {
   for (const Triangle& t : walls)
     for (const Vec3& corner : t.corner) low = low.cwiseMin(corner), high = high.cwiseMax(corner);
   const Vec3 size = high - low;
-  return fmt::format("{:.3g} x {:.3g} x {:.3g} m, counted in units of {:.3g} m", size.x(), size.y(), size.z(),
+  return fmt::format("{:.3g} x {:.3g} x {:.3g} m, counted in units of {:.3g} m", size.x, size.y, size.z,
                      stl_unit(geometry));
 }
 

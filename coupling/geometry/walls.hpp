@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "coupling/base/vec3.hpp"
+#include "coupling/base/vector.hpp"
 
 namespace clogflow {
 

@@ -41,11 +41,11 @@ Vec3 high_corner(const Walls& walls) {
 
 std::string background(const SnappyMesh& mesh) {
   std::string vertices;
-  for (const double z : {mesh.low.z(), mesh.high.z()})
-    for (const auto& [x, y] : {std::pair(mesh.inlet, mesh.low.y()),
-                               {mesh.outlet, mesh.low.y()},
-                               {mesh.outlet, mesh.high.y()},
-                               {mesh.inlet, mesh.high.y()}})
+  for (const double z : {mesh.low.z, mesh.high.z})
+    for (const auto& [x, y] : {std::pair(mesh.inlet, mesh.low.y),
+                               {mesh.outlet, mesh.low.y},
+                               {mesh.outlet, mesh.high.y},
+                               {mesh.inlet, mesh.high.y}})
       vertices += "    " + point(x, y, z) + "\n";
   return dictionary_header("blockMeshDict") + "scale 1;  // neck widths\n\nvertices\n(\n" + vertices +
          fmt::format(
@@ -114,8 +114,8 @@ SnappyMesh snappy_mesh(const Scene& scene, const StlChannel& channel) {
   };
   // y counts from the wall of the inlet.
   const double wall = -channel.width / unit / 2;
-  const auto [y_low, y_high] = layers(low.y() - wall, high.y() - wall, across);
-  const auto [z_low, z_high] = layers(low.z(), high.z(), up);
+  const auto [y_low, y_high] = layers(low.y - wall, high.y - wall, across);
+  const auto [z_low, z_high] = layers(low.z, high.z, up);
   mesh.low = {mesh.inlet, wall + y_low * across, z_low * up};
   mesh.high = {mesh.outlet, wall + y_high * across, z_high * up};
   mesh.cells = {whole((mesh.outlet - mesh.inlet) / size), static_cast<int>(y_high - y_low),
@@ -145,10 +145,10 @@ FlowLattice stl_lattice(const Scene& scene, const StlChannel& channel, const Sna
   lattice.x_sampled = static_cast<int>(std::floor(mesh.inlet * mesh.unit / h - 0.5)) + 1;
   lattice.x_begin = lattice.x_sampled - 1;
   lattice.x_end = static_cast<int>(std::ceil(mesh.outlet * mesh.unit / h - 0.5 - 1e-6));
-  lattice.half_width = static_cast<int>(std::ceil(std::max(-low.y(), high.y()) / h - 1e-6));
+  lattice.half_width = static_cast<int>(std::ceil(std::max(-low.y, high.y) / h - 1e-6));
   lattice.y_sampled = -lattice.half_width;
-  lattice.z_begin = static_cast<int>(std::floor(low.z() / h + 1e-6));
-  lattice.height = static_cast<int>(std::ceil(high.z() / h - 1e-6)) - lattice.z_begin;
+  lattice.z_begin = static_cast<int>(std::floor(low.z / h + 1e-6));
+  lattice.height = static_cast<int>(std::ceil(high.z / h - 1e-6)) - lattice.z_begin;
   lattice.mirrored_in_z = false;
   return lattice;
 }
@@ -168,13 +168,13 @@ std::map<std::string, std::string> snappy_files(const Scene& scene, const StlCha
 
 std::string snappy_entries(const SnappyMesh& mesh) {
   const double straight = inside_x;
-  const double wide = mesh.high.y() - mesh.low.y();
+  const double wide = mesh.high.y - mesh.low.y;
   std::string text = "\n// snappyHexMesh, in neck widths\n";
   text +=
       fmt::format("refinedFrom         {:.12g};\nrefinedTo           {:.12g};\n", mesh.refined_from, mesh.refined_to);
   text += fmt::format("insideX             {:.12g};\ninsideY             {:.12g};\ninsideZ             {:.12g};\n",
                       mesh.inlet + straight * (mesh.outlet - mesh.inlet) / mesh.cells[0], inside_y * wide,
-                      inside_z * mesh.high.z());
+                      inside_z * mesh.high.z);
   return text;
 }
 

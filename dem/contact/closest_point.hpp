@@ -16,15 +16,15 @@ struct ClosestPoint {
 inline ClosestPoint closest_point(const Triangle& triangle, const Vec3& centre) {
   const Vec3 &a = triangle.corner[0], &b = triangle.corner[1], &c = triangle.corner[2];
   const Vec3 ab = b - a, ac = c - a, ap = centre - a;
-  const double d1 = ab.dot(ap), d2 = ac.dot(ap);
+  const double d1 = dot(ab, ap), d2 = dot(ac, ap);
   if (d1 <= 0 && d2 <= 0) return {a, 1, {0, 0}};
   const Vec3 bp = centre - b;
-  const double d3 = ab.dot(bp), d4 = ac.dot(bp);
+  const double d3 = dot(ab, bp), d4 = dot(ac, bp);
   if (d3 >= 0 && d4 <= d3) return {b, 1, {1, 1}};
   const double area_c = d1 * d4 - d3 * d2;
   if (area_c <= 0 && d1 >= 0 && d3 <= 0) return {a + d1 / (d1 - d3) * ab, 2, {0, 1}};
   const Vec3 cp = centre - c;
-  const double d5 = ab.dot(cp), d6 = ac.dot(cp);
+  const double d5 = dot(ab, cp), d6 = dot(ac, cp);
   if (d6 >= 0 && d5 <= d6) return {c, 1, {2, 2}};
   const double area_b = d5 * d2 - d1 * d6;
   if (area_b <= 0 && d2 >= 0 && d6 <= 0) return {a + d2 / (d2 - d6) * ac, 2, {0, 2}};

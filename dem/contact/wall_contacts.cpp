@@ -15,7 +15,7 @@ using Touch = WallContacts::Touch;
 
 Vec3 centre_of(const Particles& p, int i) { return {p[i].x, p[i].y, p[i].z}; }
 
-Vector<double> to_vector(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+Vec3 to_vector(const Vec3& v) { return {v.x, v.y, v.z}; }
 
 /// Takes the springs of the remembered contact nearest to the place, if it is the same contact.
 bool recall(std::vector<Touch>& memory, int particle, const Vec3& place, double radius, Springs<double>& springs) {
@@ -95,7 +95,7 @@ void WallContacts::rebuild(const Particles& p, const std::vector<int>& renumbere
     if (i < 0) continue;
     const Vec3 normal(nx_[k], ny_[k], nz_[k]), centre = centre_of(p, i);
     memory.push_back(
-        {i, centre - (normal.dot(centre) - offset_[k]) * normal, normal, 0, contacts_.springs(contact), 1});
+        {i, centre - (dot(normal, centre) - offset_[k]) * normal, normal, 0, contacts_.springs(contact), 1});
   }
   for (Touch& touch : corner_touches_) {
     touch.particle = renumbered[touch.particle];
@@ -114,9 +114,9 @@ void WallContacts::rebuild(const Particles& p, const std::vector<int>& renumbere
     for (const int patch : near.planes) {
       const WallPatch& plane = surface_.patches()[patch];
       particle_.push_back(i);
-      nx_.push_back(plane.normal.x()), ny_.push_back(plane.normal.y());
-      nz_.push_back(plane.normal.z()), offset_.push_back(plane.offset);
-      const Vec3 foot = centre - (plane.normal.dot(centre) - plane.offset) * plane.normal;
+      nx_.push_back(plane.normal.x), ny_.push_back(plane.normal.y);
+      nz_.push_back(plane.normal.z), offset_.push_back(plane.offset);
+      const Vec3 foot = centre - (dot(plane.normal, centre) - plane.offset) * plane.normal;
       recalled.push_back({});
       known.push_back(recall(memory, i, foot, p[i].radius, recalled.back()));
     }
@@ -140,7 +140,7 @@ void WallContacts::rebuild(const Particles& p, const std::vector<int>& renumbere
 void WallContacts::sort(const Particles& p, double margin, const LubricationLaw& law) {
   contacts_.sort({particle_.data(), slot_.data(), slot_.size()}, margin, law, [&](std::size_t k) {
     const Vec3 normal(nx_[k], ny_[k], nz_[k]);
-    return normal.dot(centre_of(p, particle_[k])) - offset_[k] - p[particle_[k]].radius;
+    return dot(normal, centre_of(p, particle_[k])) - offset_[k] - p[particle_[k]].radius;
   });
 }
 
@@ -167,8 +167,8 @@ ContactTally WallContacts::collide_corners(Particles& p, const WallLaws& laws) {
     points_near(corner, p, laws.lubrication.farthest, found);
     for (const WallPoint& wall : found) {
       const double overlap = p[i].radius - wall.distance;
-      const Vector<double> velocity = p[i].velocity();
-      Vector<double> force{0, 0, 0}, torque{0, 0, 0};
+      const Vec3 velocity = p[i].velocity();
+      Vec3 force{0, 0, 0}, torque{0, 0, 0};
       Touch touch{i, wall.point, wall.normal, overlap, {}, wall.share};
       // A contact that sticks lasts beyond touch, once it has begun.
       const bool known = overlap > -laws.contact.reach(p[i].radius) &&
@@ -183,7 +183,7 @@ ContactTally WallContacts::collide_corners(Particles& p, const WallLaws& laws) {
         ++tally.contacts;
         tally.largest_overlap = std::max(tally.largest_overlap, overlap);
       } else if (laws.lubrication.viscosity > 0) {
-        const Vector<double> normal = to_vector(wall.normal);
+        const Vec3 normal = to_vector(wall.normal);
         const double c = film_coefficient(laws.lubrication, p[i].radius, -overlap, 1.0);
         force = (-c * wall.share * dot(velocity, normal)) * normal;
       }
@@ -200,7 +200,7 @@ std::vector<Touch> WallContacts::touches(const Particles& p) const {
   for (std::size_t contact = 0; contact < contacts_.size(); ++contact) {
     const int k = contacts_.candidate(contact), i = particle_[k];
     const Vec3 normal(nx_[k], ny_[k], nz_[k]), centre = centre_of(p, i);
-    const double height = normal.dot(centre) - offset_[k];
+    const double height = dot(normal, centre) - offset_[k];
     all.push_back({i, centre - height * normal, normal, p[i].radius - height, contacts_.springs(contact), 1});
   }
   return all;
@@ -214,7 +214,7 @@ std::vector<WallContacts::Gap> WallContacts::gaps(const Particles& p, double wid
   };
   for (std::size_t k = 0; k < slot_.size(); ++k) {
     const Vec3 normal(nx_[k], ny_[k], nz_[k]);
-    add(particle_[k], normal, normal.dot(centre_of(p, particle_[k])) - offset_[k], 1);
+    add(particle_[k], normal, dot(normal, centre_of(p, particle_[k])) - offset_[k], 1);
   }
   std::vector<WallPoint> found;
   for (const Corner& corner : corners_) {

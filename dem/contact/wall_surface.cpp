@@ -19,11 +19,11 @@ constexpr double same_distance = 1e-12;
 /// Places closer than this share of the reach are one.
 constexpr double one_place = 1e-7;
 
-Vec3 normal_of(const Triangle& t) { return (t.corner[1] - t.corner[0]).cross(t.corner[2] - t.corner[0]).normalized(); }
+Vec3 normal_of(const Triangle& t) { return cross(t.corner[1] - t.corner[0], t.corner[2] - t.corner[0]).normalized(); }
 
 double distance_to_segment(const std::array<Vec3, 2>& segment, const Vec3& point) {
   const Vec3 along = segment[1] - segment[0];
-  const double share = std::clamp((point - segment[0]).dot(along) / along.squaredNorm(), 0.0, 1.0);
+  const double share = std::clamp(dot(point - segment[0], along) / along.squaredNorm(), 0.0, 1.0);
   return (segment[0] + share * along - point).norm();
 }
 
@@ -54,7 +54,7 @@ void WallSurface::find_patches() {
     if (patch_[seed] >= 0) continue;
     const int id = static_cast<int>(patches_.size());
     WallPatch patch{normal_of(triangles_[seed]), 0, {seed}, {}};
-    patch.offset = patch.normal.dot(triangles_[seed].corner[0]);
+    patch.offset = dot(patch.normal, triangles_[seed].corner[0]);
     patch_[seed] = id;
     const auto joins = [&](int t) { return (normal_of(triangles_[t]) - patch.normal).norm() < same_normal; };
     for (std::size_t next = 0; next < patch.triangles.size(); ++next) {
@@ -80,7 +80,7 @@ double WallSurface::distance(int triangle, const Vec3& centre) const {
 }
 
 bool WallSurface::well_inside(const WallPatch& patch, const Vec3& centre, double margin) const {
-  const double height = patch.normal.dot(centre) - patch.offset;
+  const double height = dot(patch.normal, centre) - patch.offset;
   const Vec3 foot = centre - height * patch.normal;
   const bool inside = std::any_of(patch.triangles.begin(), patch.triangles.end(), [&](int t) {
     return (closest_point(triangles_[t], foot).point - foot).norm() <= 1e-6 * margin;
@@ -92,10 +92,10 @@ bool WallSurface::well_inside(const WallPatch& patch, const Vec3& centre, double
 
 bool WallSurface::may_share_a_touch(const WallPatch& patch, int triangle, double reach) const {
   const Vec3& normal = patches_[patch_[triangle]].normal;
-  const double cosine = patch.normal.dot(normal);
+  const double cosine = dot(patch.normal, normal);
   if (cosine <= two_touches || &patch == &patches_[patch_[triangle]]) return false;
   const auto& corner = triangles_[triangle].corner;
-  const auto height = [&](const Vec3& c) { return patch.normal.dot(c) - patch.offset; };
+  const auto height = [&](const Vec3& c) { return dot(patch.normal, c) - patch.offset; };
   const double highest = std::max({height(corner[0]), height(corner[1]), height(corner[2])});
   const bool same_plane = (normal - patch.normal).norm() < same_normal && std::abs(highest) <= one_place * reach;
   return same_plane || highest > one_place * reach;

@@ -24,7 +24,7 @@ constexpr double brim_height = 0.1;
 
 /// Distance of the centre at which two touches are one, see join_touches [m].
 double brim(const WallPoint& a, const WallPoint& b, double radius) {
-  const double cosine = a.normal.dot(b.normal);
+  const double cosine = dot(a.normal, b.normal);
   if (cosine <= two_touches) return infinite;
   const double x = cosine >= one_touch ? 0 : (one_touch - cosine) / (cosine - two_touches);
   return std::max(a.distance, b.distance) + brim_height * x * radius;
@@ -33,7 +33,7 @@ double brim(const WallPoint& a, const WallPoint& b, double radius) {
 bool any_near(const std::vector<WallPoint>& found) {
   for (std::size_t i = 0; i < found.size(); ++i)
     for (std::size_t j = i + 1; j < found.size(); ++j)
-      if (found[i].normal.dot(found[j].normal) > two_touches) return true;
+      if (dot(found[i].normal, found[j].normal) > two_touches) return true;
   return false;
 }
 
@@ -58,7 +58,7 @@ std::vector<double> highest_brims(const std::vector<WallPoint>& found, std::size
 double rise(const std::vector<WallPoint>& found, std::size_t i) {
   double least = 1;
   for (std::size_t j = 0; j < i; ++j) {
-    const double cosine = found[i].normal.dot(found[j].normal), along = found[i].distance * cosine;
+    const double cosine = dot(found[i].normal, found[j].normal), along = found[i].distance * cosine;
     const double whole = found[i].distance - along;
     if (cosine > two_touches && whole > 0) least = std::min(least, (found[j].distance - along) / whole);
   }

@@ -98,11 +98,11 @@ void add_implicit_films(const AdvanceTask& step, const std::vector<Film>& films)
           error / size, solver.iterations(), film_accuracy);
 
   for (Eigen::Index i = 0; i < scale.size(); ++i) velocity.segment<3>(3 * i) *= scale[i];
+  const auto velocity_of = [&](int i) { return Vec3(&velocity[3 * i]); };
   for (const Film& film : films) {
-    Eigen::Vector3d approach = velocity.segment<3>(3 * film.first);
-    if (film.second >= 0) approach -= velocity.segment<3>(3 * film.second);
-    const Vector<double> force =
-        (-film.coefficient * dot(film.normal, Vector<double>{approach.x(), approach.y(), approach.z()})) * film.normal;
+    Vec3 approach = velocity_of(film.first);
+    if (film.second >= 0) approach -= velocity_of(film.second);
+    const Vec3 force = (-film.coefficient * dot(film.normal, approach)) * film.normal;
     p.particle[film.first].fx += force.x, p.particle[film.first].fy += force.y, p.particle[film.first].fz += force.z;
     if (film.second < 0) continue;
     p.particle[film.second].fx -= force.x, p.particle[film.second].fy -= force.y, p.particle[film.second].fz -= force.z;

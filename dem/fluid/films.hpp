@@ -10,9 +10,9 @@ namespace clogflow {
 
 /// One film; its force on `first` is -c (n . (u_first - u_second)) n.
 struct Film {
-  int first, second;      ///< particles; second < 0: a wall
-  Vector<double> normal;  ///< n, towards `first` [-]
-  double coefficient;     ///< c [N s/m]
+  int first, second;   ///< particles; second < 0: a wall
+  Vec3 normal;         ///< n, towards `first` [-]
+  double coefficient;  ///< c [N s/m]
 };
 
 /// Adds to fx ... fz the forces of the films at the velocities v' that the step leads to, together

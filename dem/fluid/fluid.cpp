@@ -98,7 +98,7 @@ void Fluid::add_vorticity(const Particles& p) {
 void Fluid::add_slip(const Particles& p) {
   for (std::size_t i = 0; i < p.size(); ++i) {
     const double porosity = porosity_at(p[i]);
-    const Vector<double> slip = Vector<double>{ux_[i], uy_[i], uz_[i]} - p[i].velocity();
+    const Vec3 slip = Vec3{ux_[i], uy_[i], uz_[i]} - p[i].velocity();
     // V0 - v is the superficial slip of a mixture already.
     const double share = reading_ == DragVelocity::mixture ? 1 : porosity;
     const double reynolds = reynolds_number(density_, share * std::sqrt(dot(slip, slip)), 2 * p[i].radius, viscosity_);
@@ -108,8 +108,8 @@ void Fluid::add_slip(const Particles& p) {
 
 void Fluid::add_fluctuation(const Particles& p) {
   for (std::size_t i = 0; i < p.size(); ++i) {
-    const Vector<double> u{ux_[i], uy_[i], uz_[i]};
-    const Vector<double> slip = u - p[i].velocity();
+    const Vec3 u{ux_[i], uy_[i], uz_[i]};
+    const Vec3 slip = u - p[i].velocity();
     const double scale = std::sqrt(std::min(dot(slip, slip), dot(u, u)));
     const auto factor = noise_.fluctuation(i);
     ux_[i] += scale * factor[0], uy_[i] += scale * factor[1], uz_[i] += scale * factor[2];
@@ -125,13 +125,12 @@ void Fluid::attach(AdvanceTask& task) const {
   task.sx = sx_.data(), task.sy = sy_.data(), task.sz = sz_.data();
 }
 
-Vector<double> Fluid::drag_force(int i, const Vector<double>& v) const {
+Vec3 Fluid::drag_force(int i, const Vec3& v) const {
   if (!drag_) return {0, 0, 0};
   return clogflow::drag_force(coefficient_[i], {ux_[i], uy_[i], uz_[i]}, v);
 }
 
-Vector<double> Fluid::implicit_drag_force(int i, const Vector<double>& v, const Vector<double>& other,
-                                          double rate) const {
+Vec3 Fluid::implicit_drag_force(int i, const Vec3& v, const Vec3& other, double rate) const {
   if (!drag_) return {0, 0, 0};
   const double share = implicit_drag_factor(rate * coefficient_[i]);
   return drag_force(i, v + (share * rate) * (other + drag_force(i, v)));

@@ -50,12 +50,11 @@ public:
   void attach(AdvanceTask& task) const;
 
   /// Drag force on particle i if it moves with the velocity given [N]; after evaluate().
-  Vector<double> drag_force(int i, const Vector<double>& velocity) const;
+  Vec3 drag_force(int i, const Vec3& velocity) const;
 
   /// The same in a step that takes drag implicitly: at the velocity that the step leads to.
   /// \param other  all other forces [N];  \param rate  dt / m [s/kg]
-  Vector<double> implicit_drag_force(int i, const Vector<double>& velocity, const Vector<double>& other,
-                                     double rate) const;
+  Vec3 implicit_drag_force(int i, const Vec3& velocity, const Vec3& other, double rate) const;
 
   const FlowField& field() const { return field_; }
   const PorosityStrips& strips() const { return strips_; }

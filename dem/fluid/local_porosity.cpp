@@ -26,7 +26,7 @@ SmoothGrid grid_of(const ChannelSpace& space, double width) {
   Vec3 low = space.walls[0].corner[0], high = low;
   for (const Triangle& t : space.walls)
     for (const Vec3& corner : t.corner) low = low.cwiseMin(corner), high = high.cwiseMax(corner);
-  low.x() = space.start, high.x() = space.end;
+  low.x = space.start, high.x = space.end;
   return {low, high, width};
 }
 
@@ -34,11 +34,11 @@ SmoothGrid::Values volume_at_points(const Walls& walls, const SmoothGrid& grid) 
   SmoothGrid::Values volume(grid.size(), 0.0f);
   std::vector<double> heights(places * grid.cells(2));
   const double dx = grid.spacing(0) / places, dy = grid.spacing(1) / places, dz = grid.spacing(2) / places;
-  for (std::size_t k = 0; k < heights.size(); ++k) heights[k] = grid.low().z() + (static_cast<double>(k) + 0.5) * dz;
+  for (std::size_t k = 0; k < heights.size(); ++k) heights[k] = grid.low().z + (static_cast<double>(k) + 0.5) * dz;
   for (int i = 0; i < places * grid.cells(0); ++i) {
-    const double x = grid.low().x() + (i + 0.5 + aside) * dx, moved = i * golden - std::floor(i * golden);
+    const double x = grid.low().x + (i + 0.5 + aside) * dx, moved = i * golden - std::floor(i * golden);
     for (int j = 0; j < places * grid.cells(1); ++j) {
-      const double y = grid.low().y() + (j + moved) * dy;
+      const double y = grid.low().y + (j + moved) * dy;
       const std::vector<bool> inside = inside_along_z(walls, x, y, heights);
       for (std::size_t k = 0; k < heights.size(); ++k)
         if (inside[k]) grid.add(volume, {x, y, heights[k]}, dx * dy * dz);

@@ -29,7 +29,7 @@ public:
   /// Measures anew.
   void update(const Particles& particles);
 
-  double at(const Vector<double>& place) const { return grid_.read(porosity_, place); }
+  double at(const Vec3& place) const { return grid_.read(porosity_, place); }
   bool empty() const { return porosity_.empty(); }
 
   /// Whether porosities read from a file are those of this grid.

@@ -49,8 +49,8 @@ SmoothGrid::SmoothGrid(const Vec3& low, const Vec3& high, double width) : low_(l
   }
 }
 
-SmoothGrid::Cell SmoothGrid::cell_of(const Vector<double>& place) const {
-  const double along[3] = {place.x - low_.x(), place.y - low_.y(), place.z - low_.z()};
+SmoothGrid::Cell SmoothGrid::cell_of(const Vec3& place) const {
+  const double along[3] = {place.x - low_.x, place.y - low_.y, place.z - low_.z};
   Cell cell{};
   for (int a = 0; a < 3; ++a) {
     const double inside = place_within(along[a] * per_length_[a], cells_[a]);
@@ -61,9 +61,9 @@ SmoothGrid::Cell SmoothGrid::cell_of(const Vector<double>& place) const {
   return cell;
 }
 
-void SmoothGrid::add(Values& values, const Vector<double>& place, double amount) const {
+void SmoothGrid::add(Values& values, const Vec3& place, double amount) const {
   const Cell cell = cell_of(place);
-  const auto [x, y, z] = cell.share;
+  const double x = cell.share[0], y = cell.share[1], z = cell.share[2];
   float* v = &values[cell.corner];
   const auto along_x = [&](std::size_t at, double part) {
     v[at] += static_cast<float>((1 - x) * part);
@@ -75,9 +75,9 @@ void SmoothGrid::add(Values& values, const Vector<double>& place, double amount)
   along_x(stride_[1] + stride_[2], y * z * amount);
 }
 
-double SmoothGrid::read(const Values& values, const Vector<double>& place) const {
+double SmoothGrid::read(const Values& values, const Vec3& place) const {
   const Cell cell = cell_of(place);
-  const auto [x, y, z] = cell.share;
+  const double x = cell.share[0], y = cell.share[1], z = cell.share[2];
   const float* v = &values[cell.corner];
   const auto along_x = [&](std::size_t at) {
     const double here = v[at];

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "coupling/base/vec3.hpp"
+#include "coupling/base/vector.hpp"
 #include "dem/physics/number.hpp"
 
 namespace clogflow {
@@ -32,8 +32,8 @@ public:
   using Values = std::vector<float>;
 
   /// Beyond the box its nearest face counts.
-  void add(Values& values, const Vector<double>& place, double amount) const;
-  double read(const Values& values, const Vector<double>& place) const;
+  void add(Values& values, const Vec3& place, double amount) const;
+  double read(const Values& values, const Vec3& place) const;
 
   /// Nothing comes in from beyond the box.
   void smooth(Values& values) const;
@@ -43,7 +43,7 @@ private:
     std::size_t corner;
     double share[3];  // of the farther points
   };
-  Cell cell_of(const Vector<double>& place) const;
+  Cell cell_of(const Vec3& place) const;
   void smooth_along(int axis, const Values& from, Values& to) const;
 
   Vec3 low_ = Vec3::Zero();

@@ -19,9 +19,9 @@ struct alignas(32) ParticleState {
   double fx = 0, fy = 0, fz = 0, no_force = 0;   ///< sum of the forces but drag and body force [N]
   double tx = 0, ty = 0, tz = 0, no_torque = 0;  ///< sum of the torques [N m]
 
-  Vector<double> position() const { return {x, y, z}; }
-  Vector<double> velocity() const { return {vx, vy, vz}; }
-  Vector<double> spin() const { return {wx, wy, wz}; }
+  Vec3 position() const { return {x, y, z}; }
+  Vec3 velocity() const { return {vx, vy, vz}; }
+  Vec3 spin() const { return {wx, wy, wz}; }
 };
 
 /// Doubles from one particle to the next, and to the loads of the same.

@@ -18,7 +18,7 @@ struct Surroundings {
 /// \param coefficient  f 3 pi eta d [N s/m], f of a drag law;  \param fluid v;  \param particle u [m/s]
 /// \return [N]
 /// \source paper Eq. (4)
-inline Vector<double> drag_force(double coefficient, const Vector<double>& fluid, const Vector<double>& particle) {
+inline Vec3 drag_force(double coefficient, const Vec3& fluid, const Vec3& particle) {
   return {coefficient * (fluid.x - particle.x), coefficient * (fluid.y - particle.y),
           coefficient * (fluid.z - particle.z)};
 }

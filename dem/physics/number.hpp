@@ -4,6 +4,8 @@
 #include <cmath>
 #include <experimental/simd>
 
+#include "coupling/base/vector.hpp"
+
 namespace clogflow {
 
 namespace stdx = std::experimental;
@@ -30,26 +32,5 @@ inline stdx::simd<T, Abi> select(const stdx::simd_mask<T, Abi>& condition, stdx:
 
 inline bool any_of(bool condition) { return condition; }
 using stdx::any_of;
-
-/// A 3-vector of numbers or of SIMD vectors.
-template <class Real>
-struct Vector {
-  Real x, y, z;
-
-  friend Vector operator+(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-  friend Vector operator-(const Vector& a, const Vector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-  friend Vector operator*(const Real& s, const Vector& a) { return {s * a.x, s * a.y, s * a.z}; }
-  friend Vector operator-(const Vector& a) { return {-a.x, -a.y, -a.z}; }
-};
-
-template <class Real>
-Real dot(const Vector<Real>& a, const Vector<Real>& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-template <class Real>
-Vector<Real> cross(const Vector<Real>& a, const Vector<Real>& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 
 }  // namespace clogflow

@@ -22,10 +22,10 @@ inline double stable_step(double stiffness, double damping) {
 
 /// One elastic direction of a contact.
 struct ContactMode {
-  double stiffness;               ///< [N/m]
-  double dashpot;                 ///< [N s/m]
-  Vector<double> shift;           ///< velocity per velocity of i (of j: the opposite) [-]
-  Vector<double> turn_i, turn_j;  ///< velocity per spin of i and of j [m]
+  double stiffness;     ///< [N/m]
+  double dashpot;       ///< [N s/m]
+  Vec3 shift;           ///< velocity per velocity of i (of j: the opposite) [-]
+  Vec3 turn_i, turn_j;  ///< velocity per spin of i and of j [m]
 };
 
 /// Tangents of the six springs of a contact: normal, sliding x 2, rolling x 2, torsion. Stretch rates are
@@ -47,11 +47,11 @@ ContactModes contact_modes(const NormalLaw& law, const ContactTerms& terms, cons
   const double tangential = response.stiffness, tangential_dashpot = response.dashpot;
   const double turning = Turning::full_stiffness ? tangential / law.tangential_factor : tangential;
   const double lever = Turning::rolling_lever * g.radius;
-  const Vector<double>& n = g.normal;
-  const Vector<double> none{0, 0, 0};
-  const Vector<double> least = std::abs(n.x) < 0.6 ? Vector<double>{1, 0, 0} : Vector<double>{0, 1, 0};
-  const Vector<double> across = cross(n, least);
-  const Vector<double> s = (1 / std::sqrt(dot(across, across))) * across, t = cross(n, s);
+  const Vec3& n = g.normal;
+  const Vec3 none{0, 0, 0};
+  const Vec3 least = std::abs(n.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+  const Vec3 across = cross(n, least);
+  const Vec3 s = (1 / std::sqrt(dot(across, across))) * across, t = cross(n, s);
 
   ContactModes modes;
   const auto add = [&](const ContactMode& mode) { modes.mode[modes.count++] = mode; };

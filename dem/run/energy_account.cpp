@@ -19,22 +19,18 @@ ContactLaw sticking(ContactLaw law) {
   return law;
 }
 
-Vector<double> velocity_before(const RunState& s, int i) {
-  return {s.particles[i].vx, s.particles[i].vy, s.particles[i].vz};
-}
+Vec3 velocity_before(const RunState& s, int i) { return {s.particles[i].vx, s.particles[i].vy, s.particles[i].vz}; }
 
-Vector<double> spin_before(const RunState& s, int i) {
-  return {s.particles[i].wx, s.particles[i].wy, s.particles[i].wz};
-}
+Vec3 spin_before(const RunState& s, int i) { return {s.particles[i].wx, s.particles[i].wy, s.particles[i].wz}; }
 
-Vector<double> velocity_after(const RunState& s, int i) {
+Vec3 velocity_after(const RunState& s, int i) {
   return velocity_before(s, i) + s.clock.kick() / s.particles[i].mass * total_force(s, i);
 }
 
 /// Of i against j, or against a wall.
 template <class Velocity, class Spin>
 ContactMotion<double> motion(const RunState& s, int i, int j, const Velocity& velocity, const Spin& spin) {
-  const Vector<double> none{0, 0, 0};
+  const Vec3 none{0, 0, 0};
   if (j < 0) return {velocity(s, i), spin(s, i), none};
   return {velocity(s, i) - velocity(s, j), spin(s, i), spin(s, j)};
 }
@@ -105,7 +101,7 @@ void EnergyAccount::add_walls(const RunState& state) {
   if (state.lists.walls.empty()) return;
   for (const auto& touch : state.lists.walls.touches(p)) {
     const int i = touch.particle;
-    const Vector<double> normal{touch.normal.x(), touch.normal.y(), touch.normal.z()};
+    const Vec3& normal = touch.normal;
     add_contact(state, {i, -1, model_.laws.wall.contact, wall_contact(normal, touch.overlap, p[i].radius, p[i].mass),
                         touch.springs, touch.share, touch.point});
   }
@@ -146,7 +142,7 @@ void EnergyAccount::add_contact(const RunState& state, const Contact& c) {
 void EnergyAccount::add_films(const RunState& state) {
   const bool implicit = model_.scene.time.integrator == Integrator::implicit_fluid;
   const auto speed = [&](const Film& film, const auto& velocity) {
-    const Vector<double> own = velocity(state, film.first);
+    const Vec3 own = velocity(state, film.first);
     return dot(film.normal, film.second < 0 ? own : own - velocity(state, film.second));
   };
   for (const Film& film : present_films(state))
@@ -160,16 +156,16 @@ void EnergyAccount::add_particles(const RunState& state) {
   const bool implicit = model_.scene.time.integrator != Integrator::verlet;
   for (int i = 0; i < static_cast<int>(state.count()); ++i) {
     const ParticleState& p = state.particles[i];
-    const Vector<double> velocity = velocity_now(state, i);
-    const Vector<double> body = external_force(model_.scene, p.mass);
+    const Vec3 velocity = velocity_now(state, i);
+    const Vec3 body = external_force(model_.scene, p.mass);
     power_.body_force += dot(body, velocity);
     if (!fluid.drag) continue;
-    const Vector<double> other = Vector<double>{p.fx, p.fy, p.fz} + body;
+    const Vec3 other = Vec3{p.fx, p.fy, p.fz} + body;
     power_.drag += dot(total_force(state, i) - other, velocity);
     if (!fluid.turn) continue;
     const double rate = state.clock.kick() / p.inertia;
-    const Vector<double> contacts{p.tx, p.ty, p.tz}, turning{fluid.sx[i], fluid.sy[i], fluid.sz[i]};
-    const Vector<double> whole = contacts + fluid.turn[i] * (turning - spin_before(state, i));
+    const Vec3 contacts{p.tx, p.ty, p.tz}, turning{fluid.sx[i], fluid.sy[i], fluid.sz[i]};
+    const Vec3 whole = contacts + fluid.turn[i] * (turning - spin_before(state, i));
     const double share = implicit ? implicit_drag_factor(rate * fluid.turn[i]) : 1;
     power_.drag += dot(share * whole - contacts, spin_now(state, i));
   }

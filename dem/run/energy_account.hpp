@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "coupling/base/vec3.hpp"
+#include "coupling/base/vector.hpp"
 #include "dem/run/run_state.hpp"
 
 namespace clogflow {

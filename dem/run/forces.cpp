@@ -58,7 +58,7 @@ AdvanceTask advance_task(RunState& state) {
   task.particles = pointers(state.particles);
   state.fluid.attach(task);
   const double equal_mass = state.lists.pairs.equal_mass;
-  const Vector<double> external = external_force(s, equal_mass);
+  const Vec3 external = external_force(s, equal_mass);
   for (int a = 0; a < 3; ++a) {
     task.body_force[a] = std::array{external.x, external.y, external.z}[a];
     task.weight_per_mass[a] = equal_mass > 0 ? 0 : weight_per_mass(s, s.gravity[a]);

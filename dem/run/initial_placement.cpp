@@ -14,7 +14,7 @@ namespace clogflow {
 
 namespace {
 
-std::string text_of(const Vec3& v) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x(), v.y(), v.z()); }
+std::string text_of(const Vec3& v) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x, v.y, v.z); }
 
 /// "pack.csv:7: the particle at (0, 0, 0) m"
 std::string name_of(const InitialParticles& initial, std::size_t k, const Model& model) {
@@ -26,9 +26,9 @@ void check_extent(const InitialParticles& initial, const Model& model) {
   const Domain& d = model.domain;
   for (std::size_t k = 0; k < initial.particles.size(); ++k) {
     const Vec3 place = initial.particles[k].position();
-    require(place.x() <= d.outlet, "{} lies beyond the outlet at x = {:.4g} m: leave it out",
-            name_of(initial, k, model), d.outlet);
-    require((place.array() >= d.low.array()).all() && (place.array() <= d.high.array()).all(),
+    require(place.x <= d.outlet, "{} lies beyond the outlet at x = {:.4g} m: leave it out", name_of(initial, k, model),
+            d.outlet);
+    require(place.within(d.low, d.high),
             "{} lies outside the walls, which reach from {} to {} m: are the units right (\"x "
             "[um],y [um],z [um]\" in the header{})?",
             name_of(initial, k, model), text_of(d.low), text_of(d.high),
@@ -69,7 +69,7 @@ private:
     const Vec3 point = closest_point(t, place).point, away = place - point;
     const double distance = away.norm(), tie = 1e-9 * distance;
     if (distance > found.distance + tie) return;
-    const double height = (t.corner[1] - t.corner[0]).cross(t.corner[2] - t.corner[0]).normalized().dot(away);
+    const double height = dot(cross(t.corner[1] - t.corner[0], t.corner[2] - t.corner[0]).normalized(), away);
     // Triangles that meet in the nearest point are equally near; the one that is faced most knows
     // the side.
     if (distance < found.distance - tie || std::abs(height) > std::abs(found.height)) found.height = height;

@@ -32,7 +32,7 @@ constexpr double slab_depth = 2;
 
 /// Uniform in the box; in braces the three numbers are drawn in the order in which they stand.
 Vec3 random_place(const Vec3& low, const Vec3& high, RandomStream& random) {
-  return Vec3{random.uniform(low.x(), high.x()), random.uniform(low.y(), high.y()), random.uniform(low.z(), high.z())};
+  return Vec3{random.uniform(low.x, high.x), random.uniform(low.y, high.y), random.uniform(low.z, high.z)};
 }
 
 }  // namespace
@@ -57,20 +57,19 @@ bool Inlet::carries(const Fluid& fluid, const Vec3& place, RandomStream& random)
   for (int k = 0; is_first && k < looks * looks; ++k) {
     const int row = k / looks, column = k % looks;
     const double y = row / (looks - 1.0), z = column / (looks - 1.0);
-    const Vec3 at((low_.x() + high_.x()) / 2, low_.y() + y * (high_.y() - low_.y()),
-                  low_.z() + z * (high_.z() - low_.z()));
-    fastest_ = std::max(fastest_, fluid.field().at(at.x(), at.y(), at.z())[0]);
+    const Vec3 at((low_.x + high_.x) / 2, low_.y + y * (high_.y - low_.y), low_.z + z * (high_.z - low_.z));
+    fastest_ = std::max(fastest_, fluid.field().at(at.x, at.y, at.z)[0]);
   }
-  return random.uniform(0, fastest_) <= fluid.field().at(place.x(), place.y(), place.z())[0];
+  return random.uniform(0, fastest_) <= fluid.field().at(place.x, place.y, place.z)[0];
 }
 
 int Inlet::insert(Particles& p, const Fluid& fluid, RandomStream& random, double time) {
   const double r = model_->scene.particles.diameter / 2;
   std::vector<int> near;
   for (std::size_t i = 0; i < p.size(); ++i)
-    if (p[i].x < high_.x() + p[i].radius) near.push_back(static_cast<int>(i));
+    if (p[i].x < high_.x + p[i].radius) near.push_back(static_cast<int>(i));
   const Vec3 size = high_ - low_;
-  const int attempts = attempts_per_place * std::max(1, static_cast<int>(size.y() * size.z() / (4 * r * r)));
+  const int attempts = attempts_per_place * std::max(1, static_cast<int>(size.y * size.z / (4 * r * r)));
   int inserted = 0;
   for (int attempt = 0; attempt < attempts; ++attempt) {
     if (rate_ > 0 && static_cast<double>(fed_) >= rate_ * time) break;
@@ -86,8 +85,8 @@ int Inlet::insert(Particles& p, const Fluid& fluid, RandomStream& random, double
     }
     Particle particle = model_->particle(r);
     particle.id = first_id_ + next_id_++;
-    particle.x = c.x(), particle.y = c.y(), particle.z = c.z();
-    const auto u = fluid.field().at(c.x(), c.y(), c.z());
+    particle.x = c.x, particle.y = c.y, particle.z = c.z;
+    const auto u = fluid.field().at(c.x, c.y, c.z);
     particle.vx = u[0], particle.vy = u[1], particle.vz = u[2];
     near.push_back(static_cast<int>(p.size()));
     p.add(particle);
@@ -101,8 +100,8 @@ int Inlet::insert(Particles& p, const Fluid& fluid, RandomStream& random, double
 void Inlet::scatter(Particles& p, RandomStream& random) {
   const double r = model_->scene.particles.diameter / 2;
   const double end = -narrowing_length(model_->scene.geometry);
-  const Vec3 low = low_ + Vec3::Constant(r), high = Vec3(end, high_.y(), high_.z()) - Vec3::Constant(r);
-  const double volume = (end - low_.x()) * (high_.y() - low_.y()) * (high_.z() - low_.z());
+  const Vec3 low = low_ + Vec3::Constant(r), high = Vec3(end, high_.y, high_.z) - Vec3::Constant(r);
+  const double volume = (end - low_.x) * (high_.y - low_.y) * (high_.z - low_.z);
   const auto wanted = static_cast<std::int64_t>(scattered_packing * volume / sphere_volume(r));
   if ((high - low).minCoeff() <= 0) return;
   // Hash of cells one diameter wide: a sphere can only overlap those in the 27 cells around.
@@ -114,7 +113,7 @@ void Inlet::scatter(Particles& p, RandomStream& random) {
   std::int64_t placed = 0;
   for (std::int64_t attempt = 0; placed < wanted && attempt < attempts_per_scattered * wanted; ++attempt) {
     const Vec3 c = random_place(low, high, random);
-    const int cx = cell(c.x(), low.x()), cy = cell(c.y(), low.y()), cz = cell(c.z(), low.z());
+    const int cx = cell(c.x, low.x), cy = cell(c.y, low.y), cz = cell(c.z, low.z);
     bool free = true;
     for (int x = cx - 1; free && x <= cx + 1; ++x)
       for (int y = cy - 1; free && y <= cy + 1; ++y)
@@ -127,7 +126,7 @@ void Inlet::scatter(Particles& p, RandomStream& random) {
     cells[key(cx, cy, cz)].push_back(c);
     Particle particle = model_->particle(r);
     particle.id = first_id_ + next_id_++;
-    particle.x = c.x(), particle.y = c.y(), particle.z = c.z();
+    particle.x = c.x, particle.y = c.y, particle.z = c.z;
     p.add(particle);
     ++placed;
   }

@@ -59,8 +59,8 @@ std::string note_on(const StlSurface& surface, const std::string& file) {
          fmt::format(
              "{}: the walls are open along {} rim{}, the shortest {:.3g} m around at ({:.4g}, {:.4g}, "
              "{:.4g}) m: a particle that leaves the walls' extent there ends the run",
-             file, surface.rims.size(), surface.rims.size() > 1 ? "s" : "", rim.length, rim.place.x(), rim.place.y(),
-             rim.place.z());
+             file, surface.rims.size(), surface.rims.size() > 1 ? "s" : "", rim.length, rim.place.x, rim.place.y,
+             rim.place.z);
 }
 
 /// Walls of more particle diameters than this are most likely counted in another unit.
@@ -91,9 +91,9 @@ Walls file_walls(const Scene& scene, std::string& note) {
 /// In a laboratory, where a plane at 0 is none.
 void count_at(Model& model, double plane) {
   if (plane == 0) return;
-  require(plane > model.domain.low.x() && plane < model.domain.high.x(),
+  require(plane > model.domain.low.x && plane < model.domain.high.x,
           "passages.plane = {:.6g} m (must be within the walls, from x = {:.6g} to {:.6g} m)", plane,
-          model.domain.low.x(), model.domain.high.x());
+          model.domain.low.x, model.domain.high.x);
   model.domain.passage = plane;
 }
 
@@ -131,7 +131,7 @@ void build_walls(Model& model, const FlowGrid* flow) {
     const Walls stl = file_walls(s, model.walls_note);
     model.walls.insert(model.walls.end(), stl.begin(), stl.end());
     enclose(model.domain, model.walls);
-    if (flow) model.domain.outlet = model.domain.high.x();
+    if (flow) model.domain.outlet = model.domain.high.x;
     count_at(model, s.passages.plane);
   }
 }

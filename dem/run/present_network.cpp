@@ -8,7 +8,7 @@ namespace clogflow {
 
 namespace {
 
-Vector<double> to_vector(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+Vec3 to_vector(const Vec3& v) { return {v.x, v.y, v.z}; }
 
 void add_pairs(NetworkLimit& network, const RunState& state) {
   const auto& p = state.particles;

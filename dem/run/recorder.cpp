@@ -98,7 +98,7 @@ void Recorder::snapshot(const RunState& state) {
   std::sort(order.begin(), order.end(), [&](int a, int b) { return p.id[a] < p.id[b]; });
   RunData::Snapshot snapshot;
   snapshot.time = state.time();
-  const auto put = [](std::vector<double>& to, const Vector<double>& v) { to.insert(to.end(), {v.x, v.y, v.z}); };
+  const auto put = [](std::vector<double>& to, const Vec3& v) { to.insert(to.end(), {v.x, v.y, v.z}); };
   for (int i : order) {
     snapshot.id.push_back(p.id[i]);
     snapshot.radius.push_back(p[i].radius);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double slow_majority = 0.99;
 
-double size_of(const Vector<double>& v) { return std::sqrt(dot(v, v)); }
+double size_of(const Vec3& v) { return std::sqrt(dot(v, v)); }
 
 }  // namespace
 

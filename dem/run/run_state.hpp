@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "coupling/base/random_stream.hpp"
 #include "dem/fluid/films.hpp"
 #include "dem/fluid/fluid.hpp"
 #include "dem/kernels/kernels.hpp"
@@ -19,7 +20,6 @@
 #include "dem/run/step_clock.hpp"
 #include "dem/stability/step_watch.hpp"
 #include "dem/state/particles.hpp"
-#include "coupling/base/random_stream.hpp"
 
 namespace clogflow {
 

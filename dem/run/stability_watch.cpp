@@ -24,7 +24,7 @@ struct Speeds {
 /// Of the particles near the neck, turning included.
 Speeds speeds_near_neck(const RunState& state) {
   const auto& p = state.particles;
-  const auto speed = [](const Vector<double>& v, const Vector<double>& w, double radius) {
+  const auto speed = [](const Vec3& v, const Vec3& w, double radius) {
     return std::max(std::sqrt(dot(v, v)), radius * std::sqrt(dot(w, w)));
   };
   Speeds speeds;

@@ -3,26 +3,26 @@
 
 namespace clogflow {
 
-Vector<double> total_force(const RunState& state, int i) {
+Vec3 total_force(const RunState& state, int i) {
   const auto& p = state.particles;
   const auto& scene = state.model.scene;
-  const Vector<double> other = Vector<double>{p[i].fx, p[i].fy, p[i].fz} + external_force(scene, p[i].mass);
-  const Vector<double> velocity = p[i].velocity();
+  const Vec3 other = Vec3{p[i].fx, p[i].fy, p[i].fz} + external_force(scene, p[i].mass);
+  const Vec3 velocity = p[i].velocity();
   return other + (scene.time.integrator == Integrator::verlet
                       ? state.fluid.drag_force(i, velocity)
                       : state.fluid.implicit_drag_force(i, velocity, other, state.clock.kick() / p[i].mass));
 }
 
-Vector<double> velocity_now(const RunState& state, int i) {
+Vec3 velocity_now(const RunState& state, int i) {
   const auto& p = state.particles;
-  const Vector<double> velocity = p[i].velocity();
+  const Vec3 velocity = p[i].velocity();
   return velocity + state.clock.lag() / p[i].mass * total_force(state, i);
 }
 
-Vector<double> spin_now(const RunState& state, int i) {
+Vec3 spin_now(const RunState& state, int i) {
   const auto& p = state.particles;
-  const Vector<double> spin = p[i].spin();
-  return spin + state.clock.lag() / p[i].inertia * Vector<double>{p[i].tx, p[i].ty, p[i].tz};
+  const Vec3 spin = p[i].spin();
+  return spin + state.clock.lag() / p[i].inertia * Vec3{p[i].tx, p[i].ty, p[i].tz};
 }
 
 double kinetic_energy(const RunState& state) {

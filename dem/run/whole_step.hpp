@@ -5,9 +5,9 @@
 
 namespace clogflow {
 
-Vector<double> total_force(const RunState& state, int i);   ///< [N]
-Vector<double> velocity_now(const RunState& state, int i);  ///< [m/s]
-Vector<double> spin_now(const RunState& state, int i);  ///< without the fluid's torque in the last half step [rad/s]
+Vec3 total_force(const RunState& state, int i);   ///< [N]
+Vec3 velocity_now(const RunState& state, int i);  ///< [m/s]
+Vec3 spin_now(const RunState& state, int i);      ///< without the fluid's torque in the last half step [rad/s]
 
 double kinetic_energy(const RunState& state);  ///< [J]
 double elastic_energy(const RunState& state);  ///< of all springs [J]

@@ -22,7 +22,7 @@ constexpr int most_trials = 20;
 /// Implicit drag can hold a film at any step [s].
 constexpr double never = 1e9;
 
-Eigen::Vector3d eigen(const Vector<double>& v) { return {v.x, v.y, v.z}; }
+Eigen::Vector3d eigen(const Vec3& v) { return {v.x, v.y, v.z}; }
 
 }  // namespace
 
@@ -33,7 +33,7 @@ NetworkLimit::NetworkLimit(const Particles& particles)
       implicit_(particles.size(), Vector6::Zero()),
       explicit_(particles.size(), Vector6::Zero()) {}
 
-NetworkLimit::Vector6 NetworkLimit::scaled(int i, const Vector<double>& shift, const Vector<double>& turn) const {
+NetworkLimit::Vector6 NetworkLimit::scaled(int i, const Vec3& shift, const Vec3& turn) const {
   // Velocities times sqrt(mass), spins times sqrt(inertia): the mass matrix becomes one.
   Vector6 direction;
   direction << eigen(shift) / std::sqrt(particles_[i].mass), eigen(turn) / std::sqrt(particles_[i].inertia);
@@ -57,7 +57,7 @@ void NetworkLimit::add_contact(int i, int j, const ContactModes& modes) {
   links_.push_back({i, j, modes});
 }
 
-void NetworkLimit::add_film(int i, int j, const Vector<double>& normal, double coefficient) {
+void NetworkLimit::add_film(int i, int j, const Vec3& normal, double coefficient) {
   ContactModes film;
   film.mode[film.count++] = {0, coefficient, normal, {0, 0, 0}, {0, 0, 0}};
   add_contact(i, j, film);

@@ -32,7 +32,7 @@ public:
   void add_contact(int i, int j, const ContactModes& modes);
 
   /// Lubrication, c on the rate of approach along the normal [N s/m]; j < 0: a wall.
-  void add_film(int i, int j, const Vector<double>& normal, double coefficient);
+  void add_film(int i, int j, const Vec3& normal, double coefficient);
 
   /// Drag on the translation of i [N s/m], and torque on its rotation [N m s].
   struct Drag {
@@ -63,7 +63,7 @@ private:
   void add(int i, const Vector6& direction, double stiffness, double dashpot);
   bool stable(std::size_t i, double dt) const;
   double share(double dt) const;
-  Vector6 scaled(int i, const Vector<double>& shift, const Vector<double>& turn) const;
+  Vector6 scaled(int i, const Vec3& shift, const Vec3& turn) const;
 
   const Particles& particles_;
   Aligned<Matrix6> stiffness_, damping_;  // over mass; rotations in units of length / radius

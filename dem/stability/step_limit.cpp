@@ -85,7 +85,7 @@ double pack_limit(const StepScene& asked, const Particle& sphere, double overlap
   for (int k = 0; k < 6; ++k) p.add(sphere);
   NetworkLimit network(p);
   const double r = sphere.radius;
-  const Vector<double> axes[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}};
+  const Vec3 axes[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}};
   for (int k = 0; k < 5; ++k)
     network.add_contact(0, k + 1,
                         asked.laws.pair.modes(asked.laws.pair_terms,

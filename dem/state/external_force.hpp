@@ -17,7 +17,7 @@ inline double weight_per_mass(const Scene& s, double gravity) {
 }
 
 /// \param mass  that the solver moves the particle with [kg]  \return [N]
-inline Vector<double> external_force(const Scene& s, double mass) {
+inline Vec3 external_force(const Scene& s, double mass) {
   const auto& [bx, by, bz] = s.body_force;
   const auto& [gx, gy, gz] = s.gravity;
   return {bx + mass * weight_per_mass(s, gx), by + mass * weight_per_mass(s, gy), bz + mass * weight_per_mass(s, gz)};

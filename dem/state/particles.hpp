@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "coupling/base/vec3.hpp"
+#include "coupling/base/vector.hpp"
 #include "dem/kernels/kernels.hpp"
 
 namespace clogflow {
@@ -24,7 +24,7 @@ struct Particle {
 };
 
 /// Of a particle that moves with v and turns with w: m v^2 / 2 + I w^2 / 2 [J]
-inline double kinetic_energy(const ParticleState& p, const Vector<double>& v, const Vector<double>& w) {
+inline double kinetic_energy(const ParticleState& p, const Vec3& v, const Vec3& w) {
   return 0.5 * p.mass * dot(v, v) + 0.5 * p.inertia * dot(w, w);
 }
 

@@ -43,7 +43,7 @@ def quiet(text):
 
 
 def marked(text, mark):
-    return Markup(f'{escaped(text)} <span class="ages">{escaped(mark)}</span>')
+    return Markup(f'{escaped(text)} <span class="drifts">{escaped(mark)}</span>')
 
 
 def note(text):
@@ -75,7 +75,7 @@ def headline(entry):
         text = marked(text, entry["verdict"])
     elif "verdict" in entry:
         text = Markup(f"{text} {quiet(entry['verdict'])}")
-    return marked(text, "drifts: the halves differ") if entry.get("ages") else text
+    return marked(text, "drifts: the halves differ") if entry.get("drifts") else text
 
 
 def table(head, rows):
@@ -169,7 +169,7 @@ def halves(groups):
                 continue
             change = interval(entry["change"])
             rows.append([f"{group['label']}: {entry['meaning']}", number(entry["first_half"]["value"]),
-                         number(entry["second_half"]["value"]), Markup(f'<span class="ages">{change}</span>') if entry["ages"] else change])
+                         number(entry["second_half"]["value"]), Markup(f'<span class="drifts">{change}</span>') if entry["drifts"] else change])
     return table(["", "first half", "second half", "change"], rows)
 
 

@@ -62,7 +62,7 @@ json as_json(const QuantityStatistics& statistics) {
   entry["first_half"] = as_json(statistics.halves->first_half);
   entry["second_half"] = as_json(statistics.halves->second_half);
   entry["change"] = as_json(statistics.halves->change);
-  entry["ages"] = statistics.halves->ages ? json(*statistics.halves->ages) : json();
+  entry["drifts"] = statistics.halves->drifts ? json(*statistics.halves->drifts) : json();
   return entry;
 }
 

@@ -40,8 +40,8 @@ std::vector<QuantityStatistics> quantities_with_halves(const RunGroup& group, co
     all.back().halves = Ageing{.first_half = estimate(quantity, first, request.resampling),
                                .second_half = estimate(quantity, second, request.resampling),
                                .change = change,
-                               .ages = {}};
-    if (std::isfinite(change.low)) all.back().halves->ages = change.low > 0 || change.high < 0;
+                               .drifts = {}};
+    if (std::isfinite(change.low)) all.back().halves->drifts = change.low > 0 || change.high < 0;
   }
   return all;
 }

@@ -16,8 +16,8 @@ namespace clogflow::postprocess {
 /// A quantity in the two halves of the runs.
 struct Ageing {
   Estimate first_half, second_half;
-  Estimate change;           ///< second minus first
-  std::optional<bool> ages;  ///< whether the interval of the change excludes 0; absent without an interval
+  Estimate change;             ///< second minus first
+  std::optional<bool> drifts;  ///< whether the interval of the change excludes 0; absent without an interval
 };
 
 struct QuantityStatistics {

@@ -44,7 +44,7 @@ Estimate resampled(const Quantity& quantity, const std::vector<Totals>& parts, c
 Estimate estimate(const Quantity& quantity, const std::vector<Totals>& seeds, const Resampling& resampling);
 
 /// Second half minus first half, seeds resampled in pairs: a quantity whose interval excludes 0
-/// ages.
+/// drifts.
 Estimate estimate_change(const Quantity& quantity, const std::vector<std::array<Totals, 2>>& halves,
                          const Resampling& resampling);
 

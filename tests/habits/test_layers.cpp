@@ -133,8 +133,8 @@ TEST(Layers, LibrariesStayInTheirPlaces) {
   expect_only_in("CLI/", {"cli/"});
   expect_only_in("mpi", {"ensemble/"});
   // Records and statistics are structs; JSON is made and read at the edge.
-  expect_only_in("nlohmann",
-                 {"coupling/base/json_text", "coupling/files/record_json", "postprocess/output/", "trade/", "cli/"});
+  expect_only_in("nlohmann", {"coupling/base/json_text", "coupling/files/record_json", "postprocess/output/",
+                              "trade/study_file", "cli/"});
 }
 
 TEST(Layers, PhysicsIsPure) {

@@ -25,9 +25,7 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 // Index of the plane of the grid nearest to x.
-int plane(const FlowGrid& grid, double x) {
-  return static_cast<int>(std::lround((x - grid.origin.x()) / grid.spacing));
-}
+int plane(const FlowGrid& grid, double x) { return static_cast<int>(std::lround((x - grid.origin.x) / grid.spacing)); }
 
 // Largest difference of the axial velocity in a plane from developed flow, over the mean there.
 double distance(const FlowGrid& grid, int i, const DuctFlow& duct, double mean) {
@@ -37,7 +35,7 @@ double distance(const FlowGrid& grid, int i, const DuctFlow& duct, double mean) 
       const Vec3 x = grid.origin + grid.spacing * Vec3(i, j, k);
       if (grid.solid[grid.index(i, j, k)]) continue;
       const double u = grid.velocity[3 * grid.index(i, j, k)];
-      worst = std::max(worst, std::abs(u / mean - duct(x.y(), x.z())));
+      worst = std::max(worst, std::abs(u / mean - duct(x.y, x.z)));
     }
   }
   return worst;
@@ -94,7 +92,7 @@ TEST_P(CoarseFlow, ConservesMassAndDevelops) {
   // The midpoint rule itself misses h^2/24 of the walls' shear, which is the developed pressure gradient: 0.15 to 0.3
   // %. Beside the narrowing the shear is another one. Without the restored flow rate it would be 3 %.
   const double rule = std::pow(grid.spacing, 2) * DuctFlow(g.channel_width, g.neck_height).resistance() / 24;
-  for (int i = 0; grid.origin.x() + i * grid.spacing <= -narrowing_length(scene.geometry); ++i)
+  for (int i = 0; grid.origin.x + i * grid.spacing <= -narrowing_length(scene.geometry); ++i)
     EXPECT_NEAR(grid_plane(grid, i, scene).error, rule, 0.0015) << i;
   EXPECT_LT(grid.record.residuals->p, 1e-5);
 

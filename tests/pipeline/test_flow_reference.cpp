@@ -67,13 +67,13 @@ Deviation deviation(const std::vector<ReferencePoint>& points, Vec3 ReferencePoi
   return result;
 }
 
-Vec3 quarter(const Vec3& x) { return {x.x(), std::abs(x.y()), std::min(x.z(), neck_width - x.z())}; }
+Vec3 quarter(const Vec3& x) { return {x.x, std::abs(x.y), std::min(x.z, neck_width - x.z)}; }
 
 // Values of a field of a case at points of the quarter, by OpenFOAM's own interpolation.
 std::vector<std::vector<double>> sampled(const fs::path& folder, const std::string& field,
                                          const std::vector<Vec3>& places) {
   std::string list;
-  for (const Vec3& x : places) list += fmt::format("({} {} {})\n", x.x(), x.y(), x.z());
+  for (const Vec3& x : places) list += fmt::format("({} {} {})\n", x.x, x.y, x.z);
   write_file(folder / "system" / "checkDict",
              "FoamFile { version 2.0; format ascii; class dictionary; object checkDict; }\n"
              "functions { check { type sets; libs (sampling); setFormat raw; fields (" +
@@ -115,7 +115,7 @@ Deviation through_grid(const FlowGrid& grid, Lookup lookup, Vec3 ReferencePoint:
   const FlowField field(grid, lookup);
   return deviation(points, wanted, [&](std::size_t i) -> Vec3 {
     const Vec3& x = points[i].place;
-    const auto u = field.at(x.x(), x.y(), x.z());
+    const auto u = field.at(x.x, x.y, x.z);
     return scale * Vec3(u[0], u[1], u[2]);
   });
 }
@@ -147,8 +147,8 @@ TEST_F(FlowReference, VelocityOfOpenFoamItself) {
   ASSERT_EQ(rows.size(), points.size());
   const Deviation d = deviation(points, &ReferencePoint::velocity, [&](std::size_t i) {
     const Vec3& x = points[i].place;
-    return Vec3(rows[i].at(3), std::copysign(1.0, x.y()) * rows[i].at(4),
-                (x.z() > neck_width / 2 ? -1 : 1) * rows[i].at(5));
+    return Vec3(rows[i].at(3), std::copysign(1.0, x.y) * rows[i].at(4),
+                (x.z > neck_width / 2 ? -1 : 1) * rows[i].at(5));
   });
   EXPECT_LT(d.rms, 0.002);
   EXPECT_LT(d.largest, 0.02);

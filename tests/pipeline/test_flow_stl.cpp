@@ -62,7 +62,7 @@ TEST(StlFlow, OfThePapersChannelIsThatOfTheBlockMesh) {
   // Wherever both grids have a point: same places are solid, velocities agree as 12 cells allow.
   double squares = 0, count = 0, solid = 0;
   const auto [nx, ny, nz] = fitted.points;
-  const int ahead = static_cast<int>(std::lround((fitted.origin.x() - blocks.origin.x()) / fitted.spacing));
+  const int ahead = static_cast<int>(std::lround((fitted.origin.x - blocks.origin.x) / fitted.spacing));
   for (int k = 0; k < nz; ++k)
     for (int j = 0; j < ny; ++j)
       for (int i = 1; i < nx; ++i) {

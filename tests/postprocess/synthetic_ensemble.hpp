@@ -131,7 +131,9 @@ inline RunData synthetic_run(const SyntheticEnsemble& ensemble, std::uint64_t se
       snapshots_until(t + lapse, 1.0);
       t += lapse;
     }
-    if (scene.unclog.protocol == UnclogProtocol::stop && t + scene.unclog.after < run.end_time) {
+    if (scene.unclog.protocol == UnclogProtocol::stop) {
+      // Known to be one after a while, unless the run ends before.
+      if (t + scene.unclog.after >= run.end_time) break;
       run.end_time = t + scene.unclog.after;
       run.record.clogged_at = run.end_time;
       run.record.clog_position = random.uniform() < 0.1 ? -2e-4 : -2e-5;

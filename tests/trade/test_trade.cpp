@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
 #include "coupling/base/source_folder.hpp"
 #include "coupling/base/text_file.hpp"
@@ -80,47 +81,47 @@ TEST(TradeCompare, UsesAllOfBothAndDrawsPairsTogether) {
   EXPECT_NEAR(paired.high, 0.1, 1e-12);
 }
 
-json study_with(const json& settings, double diameter) {
-  return {{"format", "clogflow trade 1"}, {"diameter", diameter}, {"reference", "a"}, {"settings", settings}};
-}
-
-json entry(const char* name, double gain, double error, double step = 0.5) {
-  return {{"name", name},           {"kind", "numerics"}, {"overrides", {"time.mass_scale=2"}},
-          {"gain", gain},           {"error", error},     {"hidden", 2 * error},
-          {"step_over_limit", step}};
+Seen seen(const char* name, double gain, double error, double step = 0.5) {
+  return {.measured = {.name = name,
+                       .overrides = {"time.mass_scale=2"},
+                       .gain = gain,
+                       .error = error,
+                       .hidden = 2 * error,
+                       .step_over_limit = step},
+          .is_numerics = true,
+          .is_judged = true};
 }
 
 // b is cheap and good at one diameter and bad at the other, c is dear and good, d good and physics, e was
 // run once, f too near the limit of its contacts at one diameter.
 TEST(TradePresets, FollowTheirRuleOverAllStudies) {
-  json d = entry("d", 90, 0);
-  d["kind"] = "physics";
-  const json one = study_with(
-      {entry("a", 1, 0), entry("b", 8, 0.01), entry("c", 3, 0.04), d, entry("e", 50, 0), entry("f", 70, 0, 0.89)}, 1);
-  const json two = study_with({entry("a", 1, 0),
-                               entry("b", 6, 0.09),
-                               entry("c", 4, 0.05),
-                               d,
-                               {{"name", "e"}, {"not_run", true}},
-                               entry("f", 70, 0, 0.91)},
-                              2);
-  const json both = combine({one, two});
-  EXPECT_EQ(both["presets"], (json{{"reference", "a"}, {"standard", "c"}, {"fast", "b"}}));
-  EXPECT_EQ(both["settings"].size(), 4u);
-  EXPECT_EQ(both["settings"][1]["gain"], 6.0);
-  EXPECT_EQ(both["settings"][1]["error"], 0.09);
-  EXPECT_EQ(both["settings"][2]["hidden"], 0.1);
-  EXPECT_EQ(cheapest_within(both, 0.089)["name"], "c");
-  EXPECT_THAT(refusal([&] {
-                cheapest_within(json{{"settings", json::array()}}, 0.01);
-              }),
-              HasSubstr("no setting was measured to be within 0.01"));
+  Seen d = seen("d", 90, 0), not_run = seen("e", 50, 0);
+  d.is_numerics = not_run.is_judged = false;
+  const StudySummary one{
+      1, "a", {seen("a", 1, 0), seen("b", 8, 0.01), seen("c", 3, 0.04), d, seen("e", 50, 0), seen("f", 70, 0, 0.89)}};
+  const StudySummary two{
+      2, "a", {seen("a", 1, 0), seen("b", 6, 0.09), seen("c", 4, 0.05), d, not_run, seen("f", 70, 0, 0.91)}};
+  const MeasuredSettings both = combine({one, two});
+  EXPECT_EQ(both.presets, (Presets{{"reference", "a"}, {"standard", "c"}, {"fast", "b"}}));
+  ASSERT_EQ(both.settings.size(), 4u);
+  EXPECT_EQ(both.settings[1].gain, 6.0);
+  EXPECT_EQ(both.settings[1].error, 0.09);
+  EXPECT_EQ(both.settings[2].hidden, 0.1);
+  EXPECT_EQ(cheapest_within(both.settings, 0.089).name, "c");
+  EXPECT_THAT(refusal([] { cheapest_within({}, 0.01); }), HasSubstr("no setting was measured to be within 0.01"));
+}
+
+StudyResults one_setting() {
+  StudyResults results{.scene = "", .diameter = 1, .reference = "a"};
+  results.settings.push_back({.setting = {.name = "a"}, .cost = Cost{}, .gain = 1, .is_judged = true});
+  return results;
 }
 
 TEST(TradePresets, RefuseWhatIsNoStudy) {
   const ScratchFolder scratch;
   const auto file = scratch.path() / "trade.json";
-  json nameless = study_with(json::array({entry("a", 1, 0)}), 1), worded = nameless;
+  const std::string whole = study_text(one_setting());
+  json nameless = json::parse(whole), worded = nameless;
   nameless["settings"][0].erase("name");
   worded["settings"][0]["gain"] = "much";
   for (const std::string& text : {nameless.dump(), worded.dump(), std::string("[1]"), std::string("{\"format\": 7}"),
@@ -129,28 +130,35 @@ TEST(TradePresets, RefuseWhatIsNoStudy) {
     EXPECT_THAT(refusal([&] { read_study(file); }),
                 HasSubstr("trade.json: not a trade.json of clog trade, or damaged"));
   }
-  std::ofstream(file) << study_with(json::array({entry("a", 1, 0)}), 1).dump();
-  EXPECT_EQ(read_study(file).at("reference"), "a");
+  std::ofstream(file) << whole;
+  const StudySummary summary = read_study(file);
+  EXPECT_EQ(summary.reference, "a");
+  ASSERT_EQ(summary.settings.size(), 1u);
+  EXPECT_TRUE(summary.settings[0].is_judged && summary.settings[0].is_numerics);
+  EXPECT_EQ(summary.settings[0].measured.gain, 1);
 }
 
 TEST(TradePresets, AreThoseOfTheCommittedStudy) {
-  std::vector<json> studies;
+  const auto root = clogflow::source_folder();
+  std::vector<StudySummary> studies;
   for (const char* name : {"d50.json", "d33.json", "d25.json"})
-    studies.push_back(json::parse(read_text_file(clogflow::source_folder() / "docs" / "reports" / "trade" / name)));
-  EXPECT_EQ(combine(studies), measured_settings());
+    studies.push_back(read_study(root / "docs" / "reports" / "trade" / name));
+  const std::string committed = read_text_file(root / "trade" / "measured.json");
+  EXPECT_EQ(measured_text(combine(studies)), committed);
+  EXPECT_EQ(measured_text(measured_settings()), committed);
 }
 
 TEST(Fidelity, APresetBecomesKeysAndTheCommandLineWins) {
-  const auto& presets = measured_settings().at("presets");
+  const Presets& presets = measured_settings().presets;
   for (const char* name : {"reference", "standard", "fast"}) {
     const ResolvedScene resolved =
         read_resolved_scene(paper, {std::string("fidelity.preset=") + name, "time.mass_scale=7"});
     EXPECT_EQ(resolved.scene.time.mass_scale, 7);
     EXPECT_TRUE(resolved.scene.fidelity.preset.empty());
-    EXPECT_THAT(resolved.note, HasSubstr("setting " + presets[name].get<std::string>() + ","));
-    for (const json& setting : measured_settings()["settings"]) {
-      if (setting["name"] != presets[name]) continue;
-      Overrides keys = setting["overrides"];
+    EXPECT_THAT(resolved.note, HasSubstr("setting " + presets.at(name) + ","));
+    for (const Measured& setting : measured_settings().settings) {
+      if (setting.name != presets.at(name)) continue;
+      Overrides keys = setting.overrides;
       keys.push_back("time.mass_scale=7");
       EXPECT_EQ(effective_scene(resolved.scene), effective_scene(read_scene(paper, keys)));
     }
@@ -159,8 +167,7 @@ TEST(Fidelity, APresetBecomesKeysAndTheCommandLineWins) {
 
 TEST(Fidelity, AToleranceChoosesTheCheapestWithinIt) {
   const ResolvedScene resolved = read_resolved_scene(paper, {"fidelity.tolerance=0.05"});
-  EXPECT_THAT(resolved.note,
-              HasSubstr("setting " + measured_settings()["presets"]["standard"].get<std::string>() + ","));
+  EXPECT_THAT(resolved.note, HasSubstr("setting " + measured_settings().presets.at("standard") + ","));
   EXPECT_EQ(resolved.scene.fidelity.tolerance, 0);
   EXPECT_EQ(read_resolved_scene(paper, {}).note, "");
 }
@@ -194,7 +201,7 @@ protected:
   }
   ~ToyStudy() override { std::filesystem::remove_all(folder_ / "toy"); }
 
-  json evaluate(double budget) {
+  StudyResults evaluate(double budget) {
     study_.budget = budget;
     Ranks ranks;
     run_study(study_, ranks, [this](const std::string& line) { said_.push_back(line); });
@@ -209,38 +216,39 @@ protected:
 };
 
 TEST_F(ToyStudy, ReportsWhatItRanAndWhatItDidNotAndGoesOn) {
-  const json nothing = evaluate(0);
-  EXPECT_EQ(nothing["reference"], "");
-  EXPECT_TRUE(nothing["presets"].empty());
-  for (const json& setting : nothing["settings"]) EXPECT_TRUE(setting["not_run"]) << setting;
+  const StudyResults nothing = evaluate(0);
+  EXPECT_EQ(nothing.reference, "");
+  EXPECT_TRUE(nothing.presets.empty());
+  for (const SettingResult& outcome : nothing.settings) EXPECT_FALSE(outcome.cost) << outcome.setting.name;
+  const json said_of_nothing = json::parse(study_text(nothing));
+  for (const json& setting : said_of_nothing["settings"]) EXPECT_TRUE(setting["not_run"]) << setting;
 
   // A run that the budget cuts goes on in the next call: on a busy machine it takes several.
-  json some = nothing;
-  for (int calls = 0; calls < 20 && some.value("reference", "") == ""; ++calls) some = evaluate(1 + calls);
-  EXPECT_EQ(some["reference"], "tau50");
+  StudyResults some = nothing;
+  for (int calls = 0; calls < 20 && some.reference.empty(); ++calls) some = evaluate(1 + calls);
+  EXPECT_EQ(some.reference, "tau50");
   const auto setting = [&](const char* name) {
-    return *std::ranges::find_if(some["settings"], [&](const json& s) { return s["name"] == name; });
+    return *std::ranges::find_if(some.settings, [&](const SettingResult& o) { return o.setting.name == name; });
   };
-  EXPECT_TRUE(setting("gpa3")["not_run"]);
-  const json reference = setting("tau50");
+  EXPECT_FALSE(setting("gpa3").cost);
+  const SettingResult reference = setting("tau50");
   for (const Observable& o : observables()) {
-    const json& d = reference["differences"][o.key];
-    EXPECT_TRUE(d["difference"].is_null() || d["difference"] == 0.0) << o.key << d;
-    EXPECT_FALSE(d["real"]) << o.key;
+    const Difference& d = reference.differences.at(o.key);
+    EXPECT_TRUE(std::isnan(d.difference) || d.difference == 0.0) << o.key << " " << d.difference;
+    EXPECT_FALSE(d.real()) << o.key;
   }
-  EXPECT_EQ(reference["gain"], 1.0);
+  EXPECT_EQ(reference.gain, 1.0);
 
   // The grid made coarser is seen in the forces, the same grid is not; half a step errs less than a full one.
-  std::map<std::string, json> brief;
-  for (const json& run : some["short"]) brief[run["name"]] = run;
-  EXPECT_EQ(brief["tau100"]["force"], 0.0);
-  EXPECT_GT(brief["grid x 4"]["force"], 0.005);
-  EXPECT_LT(brief["tau200"]["path"], 0.5 * brief["tau50"]["path"].get<double>());
+  std::map<std::string, ShortRun> brief;
+  for (const ShortRun& run : some.short_runs) brief[run.name] = run;
+  EXPECT_EQ(brief["tau100"].force, 0.0);
+  EXPECT_GT(brief["grid x 4"].force, 0.005);
+  EXPECT_LT(brief["tau200"].path, 0.5 * brief["tau50"].path);
   EXPECT_THAT(table(some), HasSubstr("not run\n"));
 
   // Stiffer particles cost more steps: tau, which the step is a share of, goes as E^(-2/5).
-  EXPECT_NEAR(brief["gpa3"]["particle_steps"].get<double>() / brief["tau50"]["particle_steps"].get<double>(),
-              std::pow(1000, 0.4), 0.5);
+  EXPECT_NEAR(brief["gpa3"].particle_steps / brief["tau50"].particle_steps, std::pow(1000, 0.4), 0.5);
 
   // Nothing is run twice.
   const std::size_t lines = said_.size();

@@ -127,7 +127,7 @@ Group restitution_sweep() {
       Scene scene = wall_scene(s, speed > 1 ? 2e-9 : 2e-8);
       scene.contact.restitution = e;
       Laboratory lab(scene, {{.radius = s.diameter / 2, .z = s.diameter / 2 + 1e-10, .vz = -speed}});
-      group.checks.push_back({fmt::format("{}, e = {}", name, e), e, follow(lab).velocity.z() / speed, one_percent});
+      group.checks.push_back({fmt::format("{}, e = {}", name, e), e, follow(lab).velocity.z / speed, one_percent});
     }
   return group;
 }

@@ -53,7 +53,7 @@ Rebound on_wall(const Impact& impact) {
     met = met || touching;
   }
   const Vec3 v = lab.velocity(0), w = lab.spin(0);
-  return {v.z(), v.x(), w.y(), v.x() - w.y() * r};
+  return {v.z, v.x, w.y, v.x - w.y * r};
 }
 
 const test::Substance aluminium_oxide{380e9, 0.23, 4000, 0.005}, small_alloy{70e9, 0.33, 2700, 0.005};
@@ -238,10 +238,10 @@ Group counter_spinning_pair() {
                                        1);
       const std::string name = substance.density < 5000 ? "aluminium alloy" : "copper";
       group.checks.push_back(
-          {fmt::format("{}, spin {} rad/s: tangential velocity [m/s]", name, spin), 0, after.v0.z(), 1e-15, false});
-      group.checks.push_back({fmt::format("{}, spin {} rad/s: spin after", name, spin), spin, after.w0.y(), 1e-14});
+          {fmt::format("{}, spin {} rad/s: tangential velocity [m/s]", name, spin), 0, after.v0.z, 1e-15, false});
+      group.checks.push_back({fmt::format("{}, spin {} rad/s: spin after", name, spin), spin, after.w0.y, 1e-14});
       group.checks.push_back(
-          {fmt::format("{}, spin {} rad/s: spin of the other", name, spin), -spin, after.w1.y(), 1e-14});
+          {fmt::format("{}, spin {} rad/s: spin of the other", name, spin), -spin, after.w1.y, 1e-14});
     }
   return group;
 }
@@ -261,7 +261,7 @@ Group spinning_on_heavy_sphere() {
       const PairMotion after = collide(
           scene_of({alloy, spin_mu, spin_e, spin_v}),
           {{.radius = r, .z = (1 + size) * r + 1e-9, .vz = -spin_v, .wy = -patch / r}, {.radius = size * r}}, 1e9);
-      return -(after.v0.x() - after.w0.y() * r) / patch;
+      return -(after.v0.x - after.w0.y * r) / patch;
     };
     const auto wall = [&](double x) {
       const double patch = patch_speed_of(x);

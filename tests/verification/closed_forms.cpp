@@ -54,14 +54,14 @@ void add_floor_checks(Group& group, const Floor& floor, const std::string& name)
     lab.run_until(end / 2);
     const double t = lab->time() - lab->model().dt / 2;  // velocities stand half a step before
     group.checks.push_back({name + ": velocity while slipping / u0", 1 - mu * floor.load / mass * t / u0,
-                            lab.velocity(0).x() / u0, to_the_overlap});
+                            lab.velocity(0).x / u0, to_the_overlap});
     group.checks.push_back({name + ": spin while slipping r w / u0", mu * floor.load * r / inertia * t * r / u0,
-                            lab.spin(0).y() * r / u0, to_the_overlap});
+                            lab.spin(0).y * r / u0, to_the_overlap});
     lab.run_until(1.5 * end);
     group.checks.push_back(
-        {name + ": velocity when slip has ceased / u0", 5.0 / 7, lab.velocity(0).x() / u0, to_the_overlap});
+        {name + ": velocity when slip has ceased / u0", 5.0 / 7, lab.velocity(0).x / u0, to_the_overlap});
     group.checks.push_back(
-        {name + ": spin when slip has ceased r w / u0", 5.0 / 7, lab.spin(0).y() * r / u0, to_the_overlap});
+        {name + ": spin when slip has ceased r w / u0", 5.0 / 7, lab.spin(0).y * r / u0, to_the_overlap});
   }
   {
     Particle sphere = floor.resting();
@@ -70,7 +70,7 @@ void add_floor_checks(Group& group, const Floor& floor, const std::string& name)
     lab.run_until(0.5 * sphere.wy * inertia / (mu * r * floor.load));
     const double t = lab->time() - lab->model().dt / 2;
     group.checks.push_back({name + ": rolling decay w / w0 = 1 - 5 mu F t / (2 m r w0)",
-                            1 - mu * r * floor.load / inertia * t / sphere.wy, lab.spin(0).y() / sphere.wy,
+                            1 - mu * r * floor.load / inertia * t / sphere.wy, lab.spin(0).y / sphere.wy,
                             to_the_overlap});
   }
   {
@@ -80,7 +80,7 @@ void add_floor_checks(Group& group, const Floor& floor, const std::string& name)
     lab.run_until(0.5 * sphere.wz * inertia / (2 * mu * r * floor.load));
     const double t = lab->time() - lab->model().dt / 2;
     group.checks.push_back({name + ": twist decay w / w0 = 1 - 5 mu F t / (m r w0)",
-                            1 - 2 * mu * r * floor.load / inertia * t / sphere.wz, lab.spin(0).z() / sphere.wz,
+                            1 - 2 * mu * r * floor.load / inertia * t / sphere.wz, lab.spin(0).z / sphere.wz,
                             to_the_overlap});
   }
   {
@@ -88,7 +88,7 @@ void add_floor_checks(Group& group, const Floor& floor, const std::string& name)
     Laboratory lab(floor.scene({.sliding = 0.5}, slope), {floor.resting(slope)});
     lab.run_until(duration);
     const double t = lab->time() - lab->model().dt / 2, fall = floor.load * std::sin(slope) / mass * t;
-    group.checks.push_back({name + ": incline, v = 5/7 g sin t", 5.0 / 7, lab.velocity(0).x() / fall, 5e-3});
+    group.checks.push_back({name + ": incline, v = 5/7 g sin t", 5.0 / 7, lab.velocity(0).x / fall, 5e-3});
   }
 }
 
@@ -109,8 +109,8 @@ Group sliding_and_rolling() {
     sphere.vx = 0.1, sphere.wy = 3, sphere.wz = 5;
     Laboratory lab(floor.scene({}), {sphere});
     for (int k = 0; k < 5000; ++k) lab.step();
-    group.checks.push_back({"no friction: velocity", 0.1, lab.velocity(0).x(), 0});
-    group.checks.push_back({"no friction: spin", 5, lab.spin(0).z(), 0});
+    group.checks.push_back({"no friction: velocity", 0.1, lab.velocity(0).x, 0});
+    group.checks.push_back({"no friction: spin", 5, lab.spin(0).z, 0});
   }
   return group;
 }
@@ -139,8 +139,7 @@ Check pressed_film(Scene s) {
   test::set_floor(s, 200 * r);
   Laboratory lab(s, {{.radius = r, .z = r + h0, .vz = -force * h0 / a}});
   for (int k = 0; k < 200; ++k) lab.step();
-  return {"implicit film under a pressed sphere: gap / first gap", std::exp(-1.0), (lab.position(0).z() - r) / h0,
-          1e-2};
+  return {"implicit film under a pressed sphere: gap / first gap", std::exp(-1.0), (lab.position(0).z - r) / h0, 1e-2};
 }
 
 }  // namespace
@@ -172,11 +171,11 @@ Group fluid_closed_forms() {
     lab.run_until(mass / c);
     const double t = lab->time() - lab->model().dt / 2;
     group.checks.push_back(
-        {name + " drag: relaxation after m/c, v / u", 1 - std::exp(-t * c / mass), lab.velocity(0).x() / 5e-3, 1e-3});
+        {name + " drag: relaxation after m/c, v / u", 1 - std::exp(-t * c / mass), lab.velocity(0).x / 5e-3, 1e-3});
     lab.run_until(30 * mass / c);
-    group.checks.push_back({name + " drag: carried with the fluid [m/s]", 5e-3, lab.velocity(0).x(), 1e-9});
+    group.checks.push_back({name + " drag: carried with the fluid [m/s]", 5e-3, lab.velocity(0).x, 1e-9});
     group.checks.push_back(
-        {name + " drag: terminal velocity F / (3 pi eta d) [m/s]", -1e-11 / c, lab.velocity(0).z(), 1e-9});
+        {name + " drag: terminal velocity F / (3 pi eta d) [m/s]", -1e-11 / c, lab.velocity(0).z, 1e-9});
   }
   const double a = 3 * M_PI * eta * d * d / 8, h0 = 5e-6, v0 = 0.05;
   for (const Integrator integrator : {Integrator::verlet, Integrator::implicit_fluid}) {
@@ -189,8 +188,8 @@ Group fluid_closed_forms() {
     for (const double time : {1e-5, 3e-5, 6e-5}) {
       lab.run_until(time);
       // Back from the half step at which the velocity stands.
-      const double v = (lab.velocity(0) - lab.velocity(1)).x();
-      const double h = (lab.position(1) - lab.position(0)).x() - d + v * lab->model().dt / 2;
+      const double v = (lab.velocity(0) - lab.velocity(1)).x;
+      const double h = (lab.position(1) - lab.position(0)).x - d + v * lab->model().dt / 2;
       group.checks.push_back({fmt::format("{} squeezed film at {} s: approach [m/s]", name, time),
                               v0 - a / (mass / 2) * std::log(h0 / h), v, 2e-3});
     }

@@ -28,7 +28,7 @@ void add_settling(Group& group, double density, Integrator integrator, double ma
   lab.run_until(160 * response);
   for (const int i : {0, 1})
     group.checks.push_back({fmt::format("{}, {} um [m/s]", name, i ? 66 : 33), -stokes_velocity(density, i ? 2 * d : d),
-                            lab.velocity(i).z(), 1e-6});
+                            lab.velocity(i).z, 1e-6});
 }
 
 }  // namespace
@@ -48,7 +48,7 @@ Group gravity() {
   lab.run_until(0.1);
   group.checks.push_back(
       {"fall in 0.1 s, along the slope of gravity [m]", 0.5 * g * 0.01, lab.position(0).norm(), 1e-9});
-  group.checks.push_back({"its direction, x / z", -0.75, lab.position(0).x() / lab.position(0).z(), 1e-12});
+  group.checks.push_back({"its direction, x / z", -0.75, lab.position(0).x / lab.position(0).z, 1e-12});
   add_settling(group, 1200, Integrator::verlet, 1, "heavier, explicit");
   add_settling(group, 1200, Integrator::implicit_drag, 1, "heavier, implicit");
   add_settling(group, 1200, Integrator::verlet, 30, "heavier, mass x 30");

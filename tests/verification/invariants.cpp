@@ -21,9 +21,9 @@ Momentum momentum_of(const Particles& p) {
     const Vec3 x(p[i].x, p[i].y, p[i].z), v(p[i].vx, p[i].vy, p[i].vz), w(p[i].wx, p[i].wy, p[i].wz);
     const Vec3 spin = p[i].inertia * w;
     sum.linear += p[i].mass * v;
-    sum.angular += p[i].mass * x.cross(v) + spin;
+    sum.angular += p[i].mass * cross(x, v) + spin;
     sum.linear_scale += p[i].mass * v.norm();
-    sum.angular_scale += p[i].mass * x.cross(v).norm() + spin.norm();
+    sum.angular_scale += p[i].mass * cross(x, v).norm() + spin.norm();
   }
   return sum;
 }
@@ -46,19 +46,23 @@ Group momentum() {
 
 namespace {
 
-const Eigen::Matrix3d rotation =
-    (Eigen::AngleAxisd(0.7, Vec3(1, 2, -1).normalized()) * Eigen::AngleAxisd(-1.9, Vec3::UnitY())).toRotationMatrix();
+/// Rodrigues' formula.
+Vec3 turned(const Vec3& v, double angle, const Vec3& axis) {
+  return std::cos(angle) * v + std::sin(angle) * cross(axis, v) + (1 - std::cos(angle)) * dot(axis, v) * axis;
+}
+
+Vec3 rotated(const Vec3& v) { return turned(turned(v, -1.9, {0, 1, 0}), 0.7, Vec3(1, 2, -1).normalized()); }
+
 const Vec3 shift(3e-4, -2e-4, 1e-4);
 
-Vec3 moved(const Vec3& x) { return rotation * x + shift; }
+Vec3 moved(const Vec3& x) { return rotated(x) + shift; }
 
 std::vector<Particle> moved(std::vector<Particle> particles) {
   for (Particle& p : particles) {
-    const Vec3 x = moved(Vec3(p.x, p.y, p.z)), v = rotation * Vec3(p.vx, p.vy, p.vz),
-               w = rotation * Vec3(p.wx, p.wy, p.wz);
-    p.x = x.x(), p.y = x.y(), p.z = x.z();
-    p.vx = v.x(), p.vy = v.y(), p.vz = v.z();
-    p.wx = w.x(), p.wy = w.y(), p.wz = w.z();
+    const Vec3 x = moved(Vec3(p.x, p.y, p.z)), v = rotated(Vec3(p.vx, p.vy, p.vz)), w = rotated(Vec3(p.wx, p.wy, p.wz));
+    p.x = x.x, p.y = x.y, p.z = x.z;
+    p.vx = v.x, p.vy = v.y, p.vz = v.z;
+    p.wx = w.x, p.wy = w.y, p.wz = w.z;
   }
   return particles;
 }
@@ -67,7 +71,7 @@ std::string as_stl(const Walls& walls) {
   std::string text = "solid walls\n";
   for (const Triangle& t : walls) {
     text += "facet normal 0 0 0\nouter loop\n";
-    for (const Vec3& c : t.corner) text += fmt::format("vertex {} {} {}\n", c.x(), c.y(), c.z());
+    for (const Vec3& c : t.corner) text += fmt::format("vertex {} {} {}\n", c.x, c.y, c.z);
     text += "endloop\nendfacet\n";
   }
   return text + "endsolid walls\n";
@@ -87,7 +91,7 @@ Difference compare(Laboratory& here, Laboratory& there, std::size_t count, int s
     const auto id = static_cast<std::int64_t>(i);
     difference.position =
         std::max(difference.position, (moved(here.position(id)) - there.position(id)).norm() / test::crowd_diameter);
-    difference.force = std::max(difference.force, (rotation * here.force(id) - there.force(id)).norm());
+    difference.force = std::max(difference.force, (rotated(here.force(id)) - there.force(id)).norm());
     largest = std::max(largest, here.force(id).norm());
   }
   difference.force /= largest;

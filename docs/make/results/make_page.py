@@ -41,14 +41,14 @@ def summary(campaign):
             f"{counts[claims.DIFFERS]} differ; the rest these runs cannot decide.")
 
 
-def ages(point):
+def drifts(point):
     change = point.quantity("mean_burst")
-    return "-" if change["ages"] is None else f"yes: {estimate(change['change'], 2)}" if change["ages"] else "no"
+    return "-" if change["drifts"] is None else f"yes: {estimate(change['change'], 2)}" if change["drifts"] else "no"
 
 
 def points(campaign):
     head = ["D/d", "d [um]", "seeds", "time [s]", "clogs / passages", "<s>", "<s>, whole", "<s>, tau/2", "releases nothing follows",
-            "ages", "particles", "packing", "core-hours"]
+            "drifts", "particles", "packing", "core-hours"]
     rows = []
     for p in campaign.points:
         mean = p.trend["mean_burst"]
@@ -56,7 +56,7 @@ def points(campaign):
         rows.append([number(p.ratio), number(1e6 * p.group["geometry"]["diameter"]), len(p.group["runs"]),
                      number(sum(r["end"] - r["start"] for r in p.group["runs"])), f"{mean['stops']} / {mean['passages']}", f"**{estimate(mean)}**",
                      estimate(p.quantity("mean_burst")), estimate(p.quantity("mean_burst_by_threshold")),
-                     "-" if failed is None else f"{100 * failed:.2g} %", ages(p), number(p.group["steady"]["particles"]["value"]),
+                     "-" if failed is None else f"{100 * failed:.2g} %", drifts(p), number(p.group["steady"]["particles"]["value"]),
                      number(p.group["steady"]["packing_fraction"]["value"]), number(p.core_hours(), 2)])
     return table(head, rows)
 

@@ -85,13 +85,13 @@ TEST(FlowGrid, WriterRefusesWhatReaderWould) {
   };
   const float nan = std::numeric_limits<float>::quiet_NaN();
   EXPECT_THAT(refused([&](FlowGrid& g) { g.velocity[301] = nan; }), HasSubstr("holds NaN or infinity at point 100"));
-  EXPECT_THAT(refused([&](FlowGrid& g) { g.walls[0].corner[1].x() = nan; }), HasSubstr("/walls/triangles holds NaN"));
+  EXPECT_THAT(refused([&](FlowGrid& g) { g.walls[0].corner[1].x = nan; }), HasSubstr("/walls/triangles holds NaN"));
   EXPECT_THAT(refused([](FlowGrid& g) { g.velocity.pop_back(); }), HasSubstr("velocity components for 24000 points"));
   EXPECT_THAT(refused([](FlowGrid& g) { g.solid.pop_back(); }), HasSubstr("23999 solid flags"));
   EXPECT_THAT(refused([](FlowGrid& g) { g.solid[3] = 2; }), HasSubstr("values other than 0 and 1"));
   EXPECT_THAT(refused([](FlowGrid& g) { g.spacing = 0; }), HasSubstr("spacing = 0 m (must be > 0)"));
   EXPECT_THAT(refused([](FlowGrid& g) { g.points[2] = 1; }), HasSubstr("at least 2 points"));
-  EXPECT_THAT(refused([&](FlowGrid& g) { g.origin.x() = nan; }), HasSubstr("origin is not finite"));
+  EXPECT_THAT(refused([&](FlowGrid& g) { g.origin.x = nan; }), HasSubstr("origin is not finite"));
   EXPECT_FALSE(std::filesystem::exists(temporary("refused.h5")));
 }
 

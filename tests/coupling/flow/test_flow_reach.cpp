@@ -30,8 +30,8 @@ FlowGrid disturbed_flow(const Scene& scene, double half) {
     for (int j = 0; j < 40; ++j)
       for (int i = 0; i < grid.points[0]; ++i) {
         const Vec3 at = grid.origin + grid.spacing * Vec3(i, j, k);
-        grid.velocity[3 * grid.index(i, j, k)] = static_cast<float>(v * duct(at.y(), at.z()));
-        grid.velocity[3 * grid.index(i, j, k) + 1] = static_cast<float>(v * std::exp2((at.x() - narrowing) / half));
+        grid.velocity[3 * grid.index(i, j, k)] = static_cast<float>(v * duct(at.y, at.z));
+        grid.velocity[3 * grid.index(i, j, k) + 1] = static_cast<float>(v * std::exp2((at.x - narrowing) / half));
       }
   return grid;
 }
@@ -79,8 +79,8 @@ FlowGrid wavering_flow(const Scene& scene, double amplitude) {
     for (int j = 0; j < grid.points[1]; ++j)
       for (int i = 0; i < grid.points[0]; ++i) {
         const Vec3 x = grid.origin + grid.spacing * Vec3(i, j, k);
-        const double wave = 1 + amplitude * std::sin(2 * std::numbers::pi * x.x() / 70e-6);
-        const auto u = static_cast<float>(scene.flow.mean_velocity * duct(x.y(), x.z()) * wave);
+        const double wave = 1 + amplitude * std::sin(2 * std::numbers::pi * x.x / 70e-6);
+        const auto u = static_cast<float>(scene.flow.mean_velocity * duct(x.y, x.z) * wave);
         grid.velocity.insert(grid.velocity.end(), {u, u / 2, 0});
         grid.solid.push_back(0);
       }
@@ -96,7 +96,7 @@ TEST(StraightFlux, TakesTheWaverOutBeforeTheNarrowingAndNothingBehind) {
   const double bend = -narrowing_length(scene.geometry);
   for (std::size_t at = 0; at < grid.solid.size(); ++at) {
     const std::size_t i = at % 40;
-    const bool straight = i > 0 && grid.origin.x() + static_cast<double>(i) * grid.spacing <= bend;
+    const bool straight = i > 0 && grid.origin.x + static_cast<double>(i) * grid.spacing <= bend;
     for (int c = 0; c < 3; ++c) {
       const float wanted = straight ? still.velocity[3 * at + c] : before.velocity[3 * at + c];
       // The rule itself on 20 layers: 1e-4.

@@ -17,12 +17,12 @@
 namespace clogflow {
 namespace {
 
-Vec3 area_vector(const Triangle& t) { return 0.5 * (t.corner[1] - t.corner[0]).cross(t.corner[2] - t.corner[0]); }
+Vec3 area_vector(const Triangle& t) { return 0.5 * cross(t.corner[1] - t.corner[0], t.corner[2] - t.corner[0]); }
 
 using Key = std::tuple<long, long, long>;
 
 Key key(const Vec3& p) {  // to a nanometre
-  return {std::lround(p.x() * 1e9), std::lround(p.y() * 1e9), std::lround(p.z() * 1e9)};
+  return {std::lround(p.x * 1e9), std::lround(p.y * 1e9), std::lround(p.z * 1e9)};
 }
 
 // How often each directed edge occurs, less the opposite one: 0 inside a closed surface.
@@ -71,10 +71,10 @@ TEST_P(ChannelGeometry, NormalsPointIntoTheFluid) {
     const Vec3 area = area_vector(t);
     ASSERT_GT(area.norm(), 0);
     const Vec3 inside = (t.corner[0] + t.corner[1] + t.corner[2]) / 3 + 1e-7 * area.normalized();
-    EXPECT_GT(inside.z(), 0);
-    EXPECT_LT(inside.z(), scene.geometry.neck_height);
-    EXPECT_LT(inside.y(), shape.upper.distance(inside.x()));
-    EXPECT_GT(inside.y(), -shape.lower.distance(inside.x()));
+    EXPECT_GT(inside.z, 0);
+    EXPECT_LT(inside.z, scene.geometry.neck_height);
+    EXPECT_LT(inside.y, shape.upper.distance(inside.x));
+    EXPECT_GT(inside.y, -shape.lower.distance(inside.x));
   }
 }
 
@@ -82,7 +82,7 @@ TEST_P(ChannelGeometry, NormalsPointIntoTheFluid) {
 TEST_P(ChannelGeometry, EnclosesTheVolumeOfTheChannel) {
   const double height = scene.geometry.neck_height, end = channel_end(scene.geometry);
   double sum = 0;
-  for (const Triangle& t : channel_walls(scene.geometry)) sum -= t.corner[0].dot(area_vector(t)) / 3;
+  for (const Triangle& t : channel_walls(scene.geometry)) sum -= dot(t.corner[0], area_vector(t)) / 3;
   sum += end * shape.width(end) * height / 3;
   sum -= channel_start(scene.geometry) * scene.geometry.channel_width * height / 3;
   const double volume = channel_volume(scene.geometry, channel_start(scene.geometry), end);
@@ -138,11 +138,11 @@ TEST(ChannelGeometryAreas, AreThoseByHand) {
   for (const Triangle& t : channel_walls(flow_scene().geometry)) {
     const Vec3 area = area_vector(t);
     const Vec3 n = area.normalized();
-    if (n.z() > 0.5) floor += area.norm();
-    if (std::abs(n.y()) > 0.9) side += area.norm();
-    if (std::abs(n.x()) > 0.1) {
+    if (n.z > 0.5) floor += area.norm();
+    if (std::abs(n.y) > 0.9) side += area.norm();
+    if (std::abs(n.x) > 0.1) {
       slanted += area.norm();
-      EXPECT_NEAR(n.x(), -std::sin(std::numbers::pi / 3), 1e-12);
+      EXPECT_NEAR(n.x, -std::sin(std::numbers::pi / 3), 1e-12);
     }
   }
   EXPECT_NEAR(slanted, 2 * 1.7320508e-8, 1e-15);

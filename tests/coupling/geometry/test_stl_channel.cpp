@@ -115,9 +115,9 @@ TEST(StlChannel, NormalsMayPointOutAsOfADrawnBody) {
   const Walls in = read_stl_channel(StlScene(paper_stl()).read().geometry)->walls;
   const StlScene file(turned(paper_stl()));
   const Walls out = read_stl_channel(file.read().geometry)->walls;
-  const Vec3 normal = (out[0].corner[1] - out[0].corner[0]).cross(out[0].corner[2] - out[0].corner[0]);
-  const Vec3 wanted = (in[0].corner[1] - in[0].corner[0]).cross(in[0].corner[2] - in[0].corner[0]);
-  EXPECT_GT(normal.dot(wanted), 0);
+  const Vec3 normal = cross(out[0].corner[1] - out[0].corner[0], out[0].corner[2] - out[0].corner[0]);
+  const Vec3 wanted = cross(in[0].corner[1] - in[0].corner[0], in[0].corner[2] - in[0].corner[0]);
+  EXPECT_GT(dot(normal, wanted), 0);
   EXPECT_NEAR(channel_volume(file.read().geometry, -1e-3, 0) / channel_volume(flow_scene().geometry, -1e-3, 0), 1,
               1e-6);
 }
@@ -167,7 +167,7 @@ std::string moved(const std::string& stl, const Vec3& by) {
   for (std::string line; std::getline(lines, line);) {
     double x, y, z;
     if (std::sscanf(line.c_str(), "vertex %lf %lf %lf", &x, &y, &z) == 3)
-      line = fmt::format("vertex {:.9g} {:.9g} {:.9g}", x + by.x(), y + by.y(), z + by.z());
+      line = fmt::format("vertex {:.9g} {:.9g} {:.9g}", x + by.x, y + by.y, z + by.z);
     text += line + "\n";
   }
   return text;
@@ -231,7 +231,7 @@ std::string as_binary(const Walls& walls) {
   for (const Triangle& t : walls) {
     bytes.append(12, '\0');
     for (const Vec3& corner : t.corner)
-      for (const double x : corner) {
+      for (const double x : corner.array()) {
         const auto number = static_cast<float>(x);
         bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
       }

@@ -94,9 +94,9 @@ TEST_P(GridFromSamples, MirrorsTheQuarter) {
           ASSERT_EQ(u[0], 0);
           continue;
         }
-        ASSERT_NEAR(u[0], 1 + 1e4 * x.x(), 1e-5);
-        ASSERT_NEAR(u[1], 1e4 * x.y(), 1e-5);
-        ASSERT_NEAR(u[2], 1e4 * x.z() - 0.5, 1e-5);
+        ASSERT_NEAR(u[0], 1 + 1e4 * x.x, 1e-5);
+        ASSERT_NEAR(u[1], 1e4 * x.y, 1e-5);
+        ASSERT_NEAR(u[2], 1e4 * x.z - 0.5, 1e-5);
       }
     }
   }

@@ -41,18 +41,14 @@ Rebound drop(Laboratory& lab) {
   }
   EXPECT_TRUE(met);
   const Vec3 after = lab.velocity(0), impulse = (after - before).normalized();
-  return {-after.dot(impulse) / before.dot(impulse), impulse};
+  return {-dot(after, impulse) / dot(before, impulse), impulse};
 }
 
 Rebound drop(const Walls& walls, const Vec3& from, const Vec3& velocity) {
   const ScratchFile stl(stl_text({{"walls", walls}}, 1), ".stl");
-  Laboratory lab(scene_of(stl.name(), 5e-9), {{.radius = r,
-                                               .x = from.x(),
-                                               .y = from.y(),
-                                               .z = from.z(),
-                                               .vx = velocity.x(),
-                                               .vy = velocity.y(),
-                                               .vz = velocity.z()}});
+  Laboratory lab(
+      scene_of(stl.name(), 5e-9),
+      {{.radius = r, .x = from.x, .y = from.y, .z = from.z, .vx = velocity.x, .vy = velocity.y, .vz = velocity.z}});
   return drop(lab);
 }
 
@@ -90,7 +86,7 @@ TEST(RoundPore, KeepsTheEnergyOfAnElasticBounce) {
       Scene scene = scene_of(stl.name(), 1e-8);
       scene.contact.restitution = 1;
       const Vec3 from = 1.45e-6 * way + beside * side, v = 6e-3 * way + 2e-3 * side;
-      Laboratory lab(scene, {{.radius = r, .x = from.x(), .z = from.z(), .vx = v.x(), .vz = v.z()}});
+      Laboratory lab(scene, {{.radius = r, .x = from.x, .z = from.z, .vx = v.x, .vz = v.z}});
       drop(lab);
       EXPECT_NEAR(lab.velocity(0).squaredNorm() / v.squaredNorm(), 1, 0.02) << facets << " facets, beside " << beside;
     }
@@ -105,12 +101,12 @@ TEST_P(TurnedPlate, InThePlaneOfAnotherWallCountsOnce) {
   add_quad(plate, around(0.5, 40e-6, 0), around(0.5 + pi / 2, 40e-6, 0), around(0.5 + pi, 40e-6, 0),
            around(0.5 - pi / 2, 40e-6, 0));
   for (Triangle& t : plate)
-    for (Vec3& corner : t.corner) corner = {corner.x(), corner.z(), 0};
+    for (Vec3& corner : t.corner) corner = {corner.x, corner.z, 0};
   const ScratchFile stl(stl_text({{"plate", plate}}, 1), ".stl");
   Scene scene = scene_of(stl.name(), 5e-9);
   set_floor(scene, 400e-6);
   const Vec3 at = GetParam();
-  Laboratory lab(scene, {{.radius = r, .x = at.x(), .y = at.y(), .z = 1.001 * r, .vz = -5e-3}});
+  Laboratory lab(scene, {{.radius = r, .x = at.x, .y = at.y, .z = 1.001 * r, .vz = -5e-3}});
   const Rebound rebound = drop(lab);
   EXPECT_NEAR(rebound.restitution, 0.7, 0.002);
   EXPECT_LT((rebound.impulse - Vec3(0, 0, 1)).norm(), 1e-6);

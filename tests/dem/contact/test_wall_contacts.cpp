@@ -29,8 +29,8 @@ public:
   }
 
   Vec3 force(const Vec3& centre, const Vec3& velocity = Vec3::Zero()) {
-    p_[0].x = centre.x(), p_[0].y = centre.y(), p_[0].z = centre.z();
-    p_[0].vx = velocity.x(), p_[0].vy = velocity.y(), p_[0].vz = velocity.z();
+    p_[0].x = centre.x, p_[0].y = centre.y, p_[0].z = centre.z;
+    p_[0].vx = velocity.x, p_[0].vy = velocity.y, p_[0].vz = velocity.z;
     const Kernels& kernels = select_kernels();
     p_.clear_loads();
     contacts_ = walls_.collide_planes(p_, kernels, laws_).contacts;
@@ -39,7 +39,7 @@ public:
   }
 
   Vec3 force_with_new_lists(const Vec3& centre) {
-    p_[0].x = centre.x(), p_[0].y = centre.y(), p_[0].z = centre.z();
+    p_[0].x = centre.x, p_[0].y = centre.y, p_[0].z = centre.z;
     rebuild();
     return force(centre);
   }
@@ -156,7 +156,7 @@ TEST(WallForce, GrowsFromNothingIntoAReentrantCorner) {
   Probe probe(bent_plate(angle, 1));
   const Vec3 slope(-std::sin(angle), 0, std::cos(angle));
   for (double x = -0.2; x < -0.05; x += 1e-4) {
-    const double into = r - Vec3(x, 0, height).dot(slope);
+    const double into = r - dot(Vec3(x, 0, height), slope);
     const Vec3 expected = Vec3(0, 0, probe.hertz(overlap)) + (into > 0 ? probe.hertz(into) : 0) * slope;
     ASSERT_LT((probe.force_with_new_lists({x, 0.1, height}) - expected).norm(), no_jump * expected.norm());
   }

@@ -44,10 +44,10 @@ TEST(ClosestPoint, OfEachPartOfATriangle) {
 TEST(WallSurface, FaceCountsOnceOnTheDiagonalOfItsTriangles) {
   for (const Vec3& foot : {Vec3(0.3, -0.2, 0), Vec3(0.3, 0.3, 0), Vec3(0, 0, 0)}) {
     const auto found = contacts(floor_plate(1), foot + Vec3(0, 0, 0.09), 0.1);
-    ASSERT_EQ(found.size(), 1u) << foot.transpose();
+    ASSERT_EQ(found.size(), 1u) << foot.x << " " << foot.y << " " << foot.z;
     EXPECT_LT((found[0].point - foot).norm(), 1e-15);
     EXPECT_NEAR(found[0].distance, 0.09, 1e-15);
-    EXPECT_NEAR(found[0].normal.z(), 1, 1e-15);
+    EXPECT_NEAR(found[0].normal.z, 1, 1e-15);
   }
 }
 
@@ -94,10 +94,10 @@ std::vector<WallPoint> sorted(std::vector<WallPoint> points) {
 
 void expect_same_contacts(const WallSurface& coarse, const WallSurface& fine, const Vec3& centre) {
   const auto a = sorted(contacts(coarse, centre, 0.1)), b = sorted(contacts(fine, centre, 0.1));
-  ASSERT_EQ(a.size(), b.size()) << centre.transpose();
+  ASSERT_EQ(a.size(), b.size()) << centre.x << " " << centre.y << " " << centre.z;
   for (std::size_t k = 0; k < a.size(); ++k) {
     EXPECT_NEAR(a[k].distance, b[k].distance, 1e-14);
-    EXPECT_LT((a[k].point - b[k].point).norm(), 1e-12) << centre.transpose();
+    EXPECT_LT((a[k].point - b[k].point).norm(), 1e-12) << centre.x << " " << centre.y << " " << centre.z;
   }
 }
 
@@ -151,7 +151,7 @@ TEST(WallSurface, AHangingCornerCutsTheTriangleItHangsOn) {
   EXPECT_EQ(surface.patches().size(), 1u);
   double area = 0;
   for (const Triangle& t : surface.triangles())
-    area += (t.corner[1] - t.corner[0]).cross(t.corner[2] - t.corner[0]).z() / 2;
+    area += cross(t.corner[1] - t.corner[0], t.corner[2] - t.corner[0]).z / 2;
   EXPECT_NEAR(area, 2, 1e-15);
 }
 
@@ -198,9 +198,8 @@ TEST(WallSurface, ManyHangingCornersCutATriangleOnceEach) {
     EXPECT_EQ(mesh.triangles.size(), walls.size() + hanging);
     EXPECT_EQ(open_rims(mesh).size(), 1u);
     double area = 0, before = 0;
-    for (const Triangle& t : mesh.triangles)
-      area += (t.corner[1] - t.corner[0]).cross(t.corner[2] - t.corner[0]).z() / 2;
-    for (const Triangle& t : walls) before += (t.corner[1] - t.corner[0]).cross(t.corner[2] - t.corner[0]).z() / 2;
+    for (const Triangle& t : mesh.triangles) area += cross(t.corner[1] - t.corner[0], t.corner[2] - t.corner[0]).z / 2;
+    for (const Triangle& t : walls) before += cross(t.corner[1] - t.corner[0], t.corner[2] - t.corner[0]).z / 2;
     EXPECT_NEAR(area, before, 1e-12);
   }
 }

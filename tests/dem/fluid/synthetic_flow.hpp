@@ -27,7 +27,7 @@ inline FlowGrid synthetic_flow(const Scene& scene) {
   for (int k = 0; k < grid.points[2]; ++k)
     for (int j = 0; j < grid.points[1]; ++j)
       for (int i = 0; i < grid.points[0]; ++i) {
-        const double x = grid.origin.x() + i * h, y = grid.origin.y() + j * h, z = grid.origin.z() + k * h;
+        const double x = grid.origin.x + i * h, y = grid.origin.y + j * h, z = grid.origin.z + k * h;
         const double width = channel_shape(scene.geometry).width(x);
         const std::size_t at = grid.index(i, j, k);
         if (std::abs(y) >= width / 2) {

@@ -69,8 +69,8 @@ TEST(ImplicitFilms, SolveTheBackwardStep) {
     lab->compute_forces();
     lab->advance();
     const double kick = step / 2, expected = 3e-3 / (1 + kick * c / (mass() / 2));
-    EXPECT_NEAR((lab.velocity(0) - lab.velocity(1)).x(), expected, 1e-9 * 3e-3) << step;
-    EXPECT_NEAR((lab.velocity(0) + lab.velocity(1)).x(), 1e-3, 1e-14) << step;
+    EXPECT_NEAR((lab.velocity(0) - lab.velocity(1)).x, expected, 1e-9 * 3e-3) << step;
+    EXPECT_NEAR((lab.velocity(0) + lab.velocity(1)).x, 1e-3, 1e-14) << step;
   }
 }
 
@@ -88,7 +88,7 @@ TEST(ImplicitFilms, SolveDragAndFilmsTogether) {
   lab->compute_forces();
   lab->advance();
   const double kick = step / 2;
-  EXPECT_NEAR(lab.velocity(0).z() / (kick * (-1e-9 - drag * 5e-3) / (mass() + kick * (wall + drag))), 1, 1e-7);
+  EXPECT_NEAR(lab.velocity(0).z / (kick * (-1e-9 - drag * 5e-3) / (mass() + kick * (wall + drag))), 1, 1e-7);
 }
 
 /// A sphere pressed on a floor by the force F through its film, inertia gone: h = h0 exp(-F t / a),
@@ -101,7 +101,7 @@ double pressed_gap(Integrator integrator, double steps) {
   s.body_force = {0, 0, -force};
   Laboratory lab(s, {{.radius = d / 2, .z = d / 2 + h0, .vz = -force * h0 / a}});
   for (int k = 0; k < steps; ++k) lab.step();
-  return (lab.position(0).z() - d / 2) / h0;
+  return (lab.position(0).z - d / 2) / h0;
 }
 
 TEST(ImplicitFilms, FollowTheClosedFormFarAboveTheExplicitLimit) {

@@ -145,9 +145,9 @@ TEST(FluidNoise, TheForceIsBoundedByTheSlipAndByTheFlow) {
     lab->advance();
     // The first kick takes half a step.
     const double c = stokes_coefficient(1e-3, 1e-4), rate = 5e-6 / lab->particles()[0].mass;
-    EXPECT_NEAR(lab.velocity(0).x(), speed + rate * c * (1e-3 - speed + bound * xi[0]), 1e-15);
-    EXPECT_NEAR(lab.velocity(0).y(), rate * c * bound * xi[1], 1e-15);
-    EXPECT_NEAR(lab.velocity(0).z(), rate * c * bound * xi[2], 1e-15);
+    EXPECT_NEAR(lab.velocity(0).x, speed + rate * c * (1e-3 - speed + bound * xi[0]), 1e-15);
+    EXPECT_NEAR(lab.velocity(0).y, rate * c * bound * xi[1], 1e-15);
+    EXPECT_NEAR(lab.velocity(0).z, rate * c * bound * xi[2], 1e-15);
   }
 }
 
@@ -162,7 +162,7 @@ TEST(FluidNoise, ThePulsationScalesTheWholeFlow) {
   lab->advance();
   const double c = stokes_coefficient(1e-3, 1e-4), rate = 5e-6 / lab->particles()[0].mass;
   EXPECT_NE(noise.pulsation(), 1);
-  EXPECT_NEAR(lab.velocity(0).x(), rate * c * 1e-3 * noise.pulsation(), 1e-15);
+  EXPECT_NEAR(lab.velocity(0).x, rate * c * 1e-3 * noise.pulsation(), 1e-15);
 }
 
 }  // namespace

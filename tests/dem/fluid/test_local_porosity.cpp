@@ -51,7 +51,7 @@ LocalPorosity local_in(const Geometry& g, double width) {
   return {{channel_walls(g), channel_start(g), channel_end(g)}, width};
 }
 
-void add_sphere(Particles& p, const Vector<double>& at, double radius) {
+void add_sphere(Particles& p, const Vec3& at, double radius) {
   p.add({.id = static_cast<std::int64_t>(p.size()), .radius = radius, .x = at.x, .y = at.y, .z = at.z});
 }
 
@@ -74,8 +74,8 @@ TEST(LocalPorosity, OfALatticeIsUniformUpToTheWalls) {
   // The channel's own volume is looked up at places, which leaves out a thousandth.
   EXPECT_NEAR(local.at({-3, 0, 3}), expected, 1e-3 * 0.268);
   // Half a spacing from a wall the lattice stops as a sum stops short of an integral: by less than 2 % of the solid.
-  const Vector<double> near_walls[] = {{-3, 3.6, 3}, {-3, 0, 0.4}, {-3, -3.6, 5.6}, {-9.6, -3.6, 0.4}, {3.6, 3.6, 5.6}};
-  for (const Vector<double>& at : near_walls) EXPECT_NEAR(local.at(at), expected, 0.02 * 0.268) << at.x << " " << at.y;
+  const Vec3 near_walls[] = {{-3, 3.6, 3}, {-3, 0, 0.4}, {-3, -3.6, 5.6}, {-9.6, -3.6, 0.4}, {3.6, 3.6, 5.6}};
+  for (const Vec3& at : near_walls) EXPECT_NEAR(local.at(at), expected, 0.02 * 0.268) << at.x << " " << at.y;
 }
 
 TEST(LocalPorosity, KnowsTheSpaceBetweenSlantedWalls) {
@@ -97,7 +97,7 @@ TEST(LocalPorosity, OfALoneSphereIsItsOwn) {
   for (const double moved : {0.0, 0.2, 0.37, 0.5}) {
     LocalPorosity local = local_in(duct(), 1);
     Particles p;
-    const Vector<double> at{-4 + moved, moved, 3 - moved};
+    const Vec3 at{-4 + moved, moved, 3 - moved};
     add_sphere(p, at, 0.5);
     local.update(p);
     // On a point of the grid (all three moved by 0 or 0.5) the kernel is narrower than on average over a cell, between

@@ -35,9 +35,9 @@ TEST(Drag, LeadsToTheTerminalVelocity) {
     Laboratory lab(s, {{.radius = d / 2}});
     const double c = 3 * M_PI * eta * d;
     lab.run_until(30 * mass() / c);
-    EXPECT_NEAR(lab.velocity(0).x(), 5e-3, 1e-12);
-    EXPECT_NEAR(lab.velocity(0).y(), -1e-3, 1e-12);
-    EXPECT_NEAR(lab.velocity(0).z(), -2e-12 / c, 1e-12);
+    EXPECT_NEAR(lab.velocity(0).x, 5e-3, 1e-12);
+    EXPECT_NEAR(lab.velocity(0).y, -1e-3, 1e-12);
+    EXPECT_NEAR(lab.velocity(0).z, -2e-12 / c, 1e-12);
   }
 }
 
@@ -46,7 +46,7 @@ TEST(Drag, RelaxesExponentially) {
   const double c = 3 * M_PI * eta * d, response = mass() / c;
   Laboratory lab(drag_scene(response / 1000), {{.radius = d / 2}});
   lab.run_until(response);
-  EXPECT_NEAR(lab.velocity(0).x(), 5e-3 * (1 - std::exp(-1.0)), 5e-3 * 1e-3);
+  EXPECT_NEAR(lab.velocity(0).x, 5e-3 * (1 - std::exp(-1.0)), 5e-3 * 1e-3);
 }
 
 TEST(Drag, ImplicitIsStableAtAnyStep) {
@@ -56,8 +56,8 @@ TEST(Drag, ImplicitIsStableAtAnyStep) {
   Laboratory lab(s, {{.radius = d / 2}});
   for (int k = 0; k < 20; ++k) {
     lab.step();
-    EXPECT_GE(lab.velocity(0).x(), 0);
-    EXPECT_LE(lab.velocity(0).x(), 1e-5 * (1 + 1e-12));
+    EXPECT_GE(lab.velocity(0).x, 0);
+    EXPECT_LE(lab.velocity(0).x, 1e-5 * (1 + 1e-12));
   }
 }
 
@@ -68,7 +68,7 @@ TEST(Drag, TurnsASphereWithTheViscousTorque) {
   Laboratory lab(s, {{.radius = d / 2, .wz = 100}});
   const double time = 0.4 * mass() * d * d / 4 / (M_PI * eta * d * d * d);
   lab.run_until(time);
-  EXPECT_NEAR(lab.spin(0).z(), 100 * std::exp(-1.0), 0.1);
+  EXPECT_NEAR(lab.spin(0).z, 100 * std::exp(-1.0), 0.1);
 }
 
 /// Two equal spheres with the gap h that approach each other at speed v: the force on the second.
@@ -76,7 +76,7 @@ double film_force(const Scene& s, double h, double v) {
   Laboratory lab(s, {{.radius = d / 2, .vx = v / 2}, {.radius = d / 2, .x = d + h, .vx = -v / 2}});
   lab->compute_forces();
   EXPECT_NEAR((lab.force(0) + lab.force(1)).norm(), 0, 1e-25);
-  return lab.force(1).x();
+  return lab.force(1).x;
 }
 
 Scene film_scene() {
@@ -119,7 +119,7 @@ TEST(Lubrication, OfUnequalSpheresUsesTheEffectiveRadius) {
   Laboratory lab(film_scene(), {{.radius = d / 2, .vx = 1e-3}, {.radius = d / 4, .x = 0.75 * d + 1e-6}});
   lab->compute_forces();
   // R* = d/6: 6 pi eta (d/6)^2 / h
-  EXPECT_NEAR(lab.force(1).x() / (M_PI * eta * d * d / 6 / 1e-6 * 1e-3), 1, 1e-12);
+  EXPECT_NEAR(lab.force(1).x / (M_PI * eta * d * d / 6 / 1e-6 * 1e-3), 1, 1e-12);
 }
 
 TEST(Lubrication, SqueezedSpheresFollowTheClosedForm) {
@@ -131,8 +131,8 @@ TEST(Lubrication, SqueezedSpheresFollowTheClosedForm) {
   const double stop = h0 * std::exp(-v0 * reduced / a);  // the gap at which they would stand
   ASSERT_GT(stop, 2 * 0.005 * d) << "the closed form ends where the film does";
   for (int k = 0; k < 40000; ++k) lab.step();
-  const double h = (lab.position(1) - lab.position(0)).x() - d;
-  const double v = -(lab.velocity(1) - lab.velocity(0)).x();
+  const double h = (lab.position(1) - lab.position(0)).x - d;
+  const double v = -(lab.velocity(1) - lab.velocity(0)).x;
   EXPECT_LT(h, 0.9 * h0);
   EXPECT_NEAR(v, v0 - a / reduced * std::log(h0 / h), 1e-3 * v0);
 }
@@ -146,7 +146,7 @@ TEST(Lubrication, WithAWallActsOnlyWhenAsked) {
     lab->compute_forces();
     // R* = r = d/2: 6 pi eta d^2 / (4 h)
     const double expected = walls ? 1.5 * M_PI * eta * d * d / 1e-6 * 1e-3 : 0;
-    EXPECT_NEAR(lab.force(0).z(), expected, 1e-12 * expected);
+    EXPECT_NEAR(lab.force(0).z, expected, 1e-12 * expected);
   }
 }
 

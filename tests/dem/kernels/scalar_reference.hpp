@@ -13,7 +13,7 @@
 namespace clogflow::test {
 
 struct Loads {
-  std::vector<Vector<double>> force, torque;  ///< in order of id
+  std::vector<Vec3> force, torque;  ///< in order of id
   std::int64_t contacts = 0, wall_contacts = 0, films = 0;
 };
 
@@ -25,7 +25,7 @@ public:
     const Model& model = simulation.model();
     const Particles& p = simulation.particles();
     Loads sum;
-    const Vector<double> zero{0, 0, 0};
+    const Vec3 zero{0, 0, 0};
     sum.force.assign(p.size(), zero), sum.torque.assign(p.size(), zero);
     std::map<std::pair<int, int>, Springs<double>> touching;
     std::vector<int> index(p.size());
@@ -48,20 +48,20 @@ private:
     return found == springs_.end() ? Springs<double>{} : found->second;
   }
 
-  static Vector<double> place(const Particles& p, int i) { return p[i].position(); }
-  static Vector<double> velocity(const Particles& p, int i) { return p[i].velocity(); }
-  static Vector<double> spin(const Particles& p, int i) { return p[i].spin(); }
+  static Vec3 place(const Particles& p, int i) { return p[i].position(); }
+  static Vec3 velocity(const Particles& p, int i) { return p[i].velocity(); }
+  static Vec3 spin(const Particles& p, int i) { return p[i].spin(); }
 
   void pair(const Model& model, const Particles& p, const std::pair<int, int>& id, const std::pair<int, int>& at,
             double dt, Touching& touching, Loads& sum) {
     const auto [i, j] = at;
-    const Vector<double> apart = place(p, i) - place(p, j);
+    const Vec3 apart = place(p, i) - place(p, j);
     const double distance = std::sqrt(dot(apart, apart));
     const double gap = distance - p[i].radius - p[j].radius;
     const double radius = p[i].radius * p[j].radius / (p[i].radius + p[j].radius);
-    const Vector<double> normal = (1 / distance) * apart;
-    const Vector<double> moves = velocity(p, i) - velocity(p, j);
-    Vector<double> force{0, 0, 0};
+    const Vec3 normal = (1 / distance) * apart;
+    const Vec3 moves = velocity(p, i) - velocity(p, j);
+    Vec3 force{0, 0, 0};
     if (gap < 0) {
       ++sum.contacts;
       Springs<double> springs = remembered(id);

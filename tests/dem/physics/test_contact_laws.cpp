@@ -8,7 +8,7 @@
 namespace clogflow {
 namespace {
 
-using V = Vector<double>;
+using V = Vec3;
 using Slider = SliderParameters<double>;
 
 double norm(const V& v) { return std::sqrt(dot(v, v)); }

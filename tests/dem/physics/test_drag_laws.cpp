@@ -42,7 +42,7 @@ double felt(const char* law, double speed) {
   scene.drag.law = law;
   Laboratory lab(scene, {{.radius = 5e-4}});
   lab.step();
-  return lab.velocity(0).x();
+  return lab.velocity(0).x;
 }
 
 TEST(DragLaws, ASphereFeelsTheInertiaOfTheFluidUnderBeetstraAlone) {

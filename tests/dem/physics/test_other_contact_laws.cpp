@@ -41,7 +41,7 @@ Rebound meet(const Scene& scene, double speed, double time) {
     if (touching) met = true, seen.duration += lab->model().dt;
     lab->advance();
   }
-  seen.restitution = (lab.velocity(1) - lab.velocity(0)).x() / speed;
+  seen.restitution = (lab.velocity(1) - lab.velocity(0)).x / speed;
   return seen;
 }
 
@@ -98,9 +98,7 @@ constexpr ContactMaterials materials{
 
 Jkr sticky() { return Jkr::of(materials); }
 
-ContactGeometry<double> pressed(double overlap) {
-  return wall_contact(Vector<double>{0, 0, 1}, overlap, radius / 2, mass() / 2);
-}
+ContactGeometry<double> pressed(double overlap) { return wall_contact(Vec3{0, 0, 1}, overlap, radius / 2, mass() / 2); }
 
 TEST(Jkr, HasTheForcesOfItsAuthors) {
   const Jkr law = sticky();

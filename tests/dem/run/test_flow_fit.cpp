@@ -32,7 +32,7 @@ TEST(FlowFits, WhatCarriesTheRateFromTheNarrowingToTheOutlet) {
   const Scene scene = short_channel_scene();
   const FlowGrid flow = synthetic_flow(scene);
   check_flow_fits(flow, scene);
-  const auto planes = grid_fluxes(flow, scene, flow.origin.x());
+  const auto planes = grid_fluxes(flow, scene, flow.origin.x);
   EXPECT_GT(planes.size(), 5u);
   for (const PlaneFlux& plane : planes) {
     EXPECT_NEAR(plane.flux, 2e-10, 0.02 * 2e-10);

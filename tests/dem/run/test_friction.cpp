@@ -61,18 +61,18 @@ TEST_P(Floor, SlidingSphereEndsRollingAtFiveSevenths) {
   // Slip ends at t = 2/7 u0 m / (mu F).
   const double slip = 2.0 / 7 * u0 * mass() / (mu * GetParam().load);
   lab.run_until(slip / 2);
-  EXPECT_NEAR(lab.velocity(0).x(), u0 * (1 - 1.0 / 7), 2e-3 * u0) << "Coulomb's law while it slips";
+  EXPECT_NEAR(lab.velocity(0).x, u0 * (1 - 1.0 / 7), 2e-3 * u0) << "Coulomb's law while it slips";
   lab.run_until(4 * slip);
   // The lever is r - delta / 2, as the contact area lies inside the sphere: to the overlap.
-  EXPECT_NEAR(lab.velocity(0).x(), 5.0 / 7 * u0, 2e-3 * u0);
-  EXPECT_NEAR(lab.spin(0).y() * radius(), 5.0 / 7 * u0, 2e-3 * u0);
+  EXPECT_NEAR(lab.velocity(0).x, 5.0 / 7 * u0, 2e-3 * u0);
+  EXPECT_NEAR(lab.spin(0).y * radius(), 5.0 / 7 * u0, 2e-3 * u0);
 }
 
 TEST_P(Floor, WithoutFrictionSlidesForEver) {
   const Scene s = scene({});
   Laboratory lab(s, {resting(s)});
   lab.run_until(2000 * GetParam().step);
-  EXPECT_EQ(lab.velocity(0).x(), GetParam().speed);
+  EXPECT_EQ(lab.velocity(0).x, GetParam().speed);
   EXPECT_EQ(lab.spin(0).norm(), 0);
 }
 
@@ -86,9 +86,9 @@ TEST_P(Floor, RollingFrictionSlowsASphereThatOnlySpins) {
   const double inertia = 0.4 * mass() * radius() * radius();
   const double stop = sphere.wy * inertia / (mu * radius() * GetParam().load);
   lab.run_until(stop / 2);
-  EXPECT_NEAR(lab.spin(0).y(), sphere.wy / 2, 5e-3 * sphere.wy);
+  EXPECT_NEAR(lab.spin(0).y, sphere.wy / 2, 5e-3 * sphere.wy);
   lab.run_until(3 * stop);
-  EXPECT_LT(std::abs(lab.spin(0).y()), 5e-3 * sphere.wy);
+  EXPECT_LT(std::abs(lab.spin(0).y), 5e-3 * sphere.wy);
 }
 
 TEST_P(Floor, TorsionFrictionSlowsASphereThatTwists) {
@@ -101,7 +101,7 @@ TEST_P(Floor, TorsionFrictionSlowsASphereThatTwists) {
   const double inertia = 0.4 * mass() * radius() * radius();
   const double stop = sphere.wz * inertia / (2 * mu * radius() * GetParam().load);
   lab.run_until(stop / 2);
-  EXPECT_NEAR(lab.spin(0).z(), sphere.wz / 2, 5e-3 * sphere.wz);
+  EXPECT_NEAR(lab.spin(0).z, sphere.wz / 2, 5e-3 * sphere.wz);
 }
 
 INSTANTIATE_TEST_SUITE_P(AtAnySize, Floor, testing::Values(metre, micrometre),
@@ -123,7 +123,7 @@ double spin_after(TorsionUpdate update, int steps) {
   double largest = 0;
   for (int k = 0; k < steps; ++k) {
     lab.step();
-    if (k > steps / 2) largest = std::max(largest, std::abs((lab.spin(0) - lab.spin(1)).x()));
+    if (k > steps / 2) largest = std::max(largest, std::abs((lab.spin(0) - lab.spin(1)).x));
   }
   return largest;
 }
@@ -148,7 +148,7 @@ TEST(Sphere, OnAnInclineRollsWithFiveSeventhsOfGravity) {
   Laboratory lab(s, {{.radius = r, .z = r - overlap}});
   lab.run_until(2);
   const double mass = 1000 * 4.0 / 3 * M_PI * r * r * r;
-  EXPECT_NEAR(lab.velocity(0).x(), 5.0 / 7 * load * std::sin(angle) / mass * 2, 2e-3);
+  EXPECT_NEAR(lab.velocity(0).x, 5.0 / 7 * load * std::sin(angle) / mass * 2, 2e-3);
 }
 
 }  // namespace

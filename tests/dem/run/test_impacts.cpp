@@ -26,7 +26,7 @@ Impact collide(const Scene& scene, double speed) {
     if (met && !touching) break;
     if (touching) {
       met = true;
-      const double force = -lab.force(0).x();
+      const double force = -lab.force(0).x;
       impact.force = std::max(impact.force, force);
       impact.least = std::min(impact.least, force);
       impact.overlap = std::max(impact.overlap, lab->pair_tally().largest_overlap);
@@ -35,7 +35,7 @@ Impact collide(const Scene& scene, double speed) {
     }
     lab->advance();
   }
-  impact.restitution = (lab.velocity(1) - lab.velocity(0)).x() / speed;
+  impact.restitution = (lab.velocity(1) - lab.velocity(0)).x / speed;
   return impact;
 }
 
@@ -91,8 +91,8 @@ TEST(WallImpact, GivesTheSameRestitution) {
     set_floor(scene, 10);
     Laboratory lab(scene, {{.radius = 0.1, .z = 0.1 + 1e-9, .vz = -0.2}});
     lab.run_until(2e-3);
-    EXPECT_NEAR(lab.velocity(0).z(), 0.2 * e, 0.2 * 2e-3);
-    EXPECT_NEAR(lab.velocity(0).x(), 0, 1e-12);
+    EXPECT_NEAR(lab.velocity(0).z, 0.2 * e, 0.2 * 2e-3);
+    EXPECT_NEAR(lab.velocity(0).x, 0, 1e-12);
   }
 }
 

@@ -80,7 +80,7 @@ TEST(Inlet, BringsParticlesWhereTheFlowIs) {
     for (int j = 0; j < grid.points[1]; ++j)
       for (int i = 0; i < grid.points[0]; ++i)
         grid.velocity[3 * grid.index(i, j, k)] =
-            static_cast<float>(1e-2 * std::clamp((grid.origin.y() + j * grid.spacing + half) / (2 * half), 0.0, 1.0));
+            static_cast<float>(1e-2 * std::clamp((grid.origin.y + j * grid.spacing + half) / (2 * half), 0.0, 1.0));
   double sum = 0;
   int count = 0;
   for (int k = 1; count < 4000; ++k) {

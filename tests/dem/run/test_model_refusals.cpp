@@ -65,7 +65,7 @@ std::string thin_facets() {
   for (const auto& facet :
        {std::array{0, 1, 2}, {0, 3, 1}, {0, 4, 3}, {0, 2, 5}, {2, 1, 5}, {1, 3, 5}, {3, 4, 5}, {4, 0, 5}}) {
     text += "facet\n";
-    for (const int k : facet) text += fmt::format("vertex {} {} {}\n", p[k].x(), p[k].y(), p[k].z());
+    for (const int k : facet) text += fmt::format("vertex {} {} {}\n", p[k].x, p[k].y, p[k].z);
     text += "endfacet\n";
   }
   return text + "endsolid body\n";

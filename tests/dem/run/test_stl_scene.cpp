@@ -19,15 +19,15 @@ Scene pore(Overrides overrides = {}) {
 TEST(StlScene, HasTheSameEndsGateAndStripsAsAChannelOfKeys) {
   const Scene scene = pore();
   const Model model = make_model(scene, nullptr, {});
-  EXPECT_NEAR(model.domain.low.x(), -480e-6, 1e-9);
+  EXPECT_NEAR(model.domain.low.x, -480e-6, 1e-9);
   EXPECT_NEAR(model.domain.outlet, 100e-6, 1e-9);
   EXPECT_NEAR(model.domain.passage, 50e-6, 1e-9);
   EXPECT_TRUE(model.walls_note.empty()) << model.walls_note;
   ASSERT_EQ(model.gate.size(), 2u);
   for (const Triangle& t : model.gate)
     for (const Vec3& corner : t.corner) {
-      EXPECT_EQ(corner.x(), 0);
-      EXPECT_NEAR(std::abs(corner.y()), 50e-6, 1e-9);
+      EXPECT_EQ(corner.x, 0);
+      EXPECT_NEAR(std::abs(corner.y), 50e-6, 1e-9);
     }
   // The straight part alone, by hand: 300 x 300 x 100 um3.
   EXPECT_NEAR(channel_volume(scene.geometry, -480e-6, -180e-6) / 9e-12, 1, 1e-6);

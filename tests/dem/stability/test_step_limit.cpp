@@ -266,7 +266,7 @@ std::pair<double, double> impact_errors(double share) {
       if (met && lab->pair_tally().contacts == 0) break;
       met = met || lab->pair_tally().contacts > 0;
     }
-    const double error = (lab.velocity(1) - lab.velocity(0)).x() / 5e-3 / 0.7 - 1;
+    const double error = (lab.velocity(1) - lab.velocity(0)).x / 5e-3 / 0.7 - 1;
     worst = std::max(worst, std::abs(error));
     mean += error / phases;
   }

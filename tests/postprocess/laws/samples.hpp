@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "coupling/base/require.hpp"
 #include "coupling/base/random_stream.hpp"
+#include "coupling/base/require.hpp"
 
 namespace clogflow::postprocess {
 

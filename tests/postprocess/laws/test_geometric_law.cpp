@@ -71,12 +71,12 @@ TEST(CutGeometricLaw, distance_by_hand) {
               1e-12);
 }
 
-// Ten clog after 9, ninety are cut after 10, and ten go on to 100 without any event: h = 10/2000, S ends level at
+// Twenty clog after 9, 180 are cut after 10, and twenty go on to 100 without any event: h = 20/4000, S ends level at
 // 10/11, where the law has fallen to 0.995^100 = 0.606.
 TEST(CutGeometricLaw, a_level_end_counts) {
-  std::vector<TrialCount> sample(10, {9, true});
-  sample.insert(sample.end(), 90, {10, false});
-  sample.insert(sample.end(), 10, {100, false});
+  std::vector<TrialCount> sample(20, {9, true});
+  sample.insert(sample.end(), 180, {10, false});
+  sample.insert(sample.end(), 20, {100, false});
   const GeometricTest test = test_geometric_trials(sample, 200, 1);
   EXPECT_NEAR(test.ks, 10.0 / 11 - std::pow(0.995, 100), 1e-12);
   EXPECT_LT(test.p_value, 0.05);

@@ -64,8 +64,8 @@ TEST(Sequences, independent_values_are_accused_as_often_as_the_test_says) {
 TEST(Sequences, a_drift_and_a_memory_are_found) {
   Sequences drifting, remembering;
   for (std::uint64_t k = 0; k < 4; ++k) {
-    drifting.push_back(exponential_sample(30, 1, {k, 1}));
-    for (std::size_t i = 0; i < 30; ++i) drifting.back()[i] *= 1 + static_cast<double>(i) / 8;
+    drifting.push_back(exponential_sample(60, 1, {k, 1}));
+    for (std::size_t i = 0; i < 60; ++i) drifting.back()[i] *= 1 + static_cast<double>(i) / 8;
     remembering.push_back(exponential_sample(30, 1, {k, 2}));
     for (std::size_t i = 1; i < 30; ++i) remembering.back()[i] += 0.7 * remembering.back()[i - 1];
   }

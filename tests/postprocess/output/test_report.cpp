@@ -202,9 +202,9 @@ TEST_F(Report, laws_that_are_ruled_out_and_runs_that_drift_are_marked) {
     write_run_file(run, here_ / "runs" / run_file_name(seed));
   }
   make(here_ / "runs");
-  EXPECT_THAT(page(), AllOf(HasSubstr("<span class=\"ages\">power law ruled out (p &lt; 0.05): misses"),
-                            HasSubstr("<span class=\"ages\">drifts: the halves differ</span>"),
-                            HasSubstr("<span class=\"ages\">ruled out (p &lt; 0.001)</span>")));
+  EXPECT_THAT(page(), AllOf(HasSubstr("<span class=\"drifts\">power law ruled out (p &lt; 0.05): misses"),
+                            HasSubstr("<span class=\"drifts\">drifts: the halves differ</span>"),
+                            HasSubstr("<span class=\"drifts\">ruled out (p &lt; 0.001)</span>")));
   EXPECT_THAT(text_of(here_ / "report" / "bursts.svg"), HasSubstr("geometric law: ruled out"));
   EXPECT_THAT(text_of(here_ / "report" / "lapses.svg"), HasSubstr("ruled out: misses by"));
 }
