@@ -164,7 +164,7 @@ std::vector<Key> make_keys() {
       NUMBER(inlet.strain, number, positive, "volume of particles that passes without friction before a flowing start counts, in neck widths times the neck's cross-section; default 10"),
 
       WORD(unclog.protocol, "at a clog: nothing, a moment without friction, the run ends, the column flows without friction as at a flowing start, or its arch is taken out", "none", "release", "stop", "restart", "poke"),
-      NUMBER(unclog.after, time, positive, "nothing passed for this long, where rest is not proved sooner; default 5 Stokes times"),
+      NUMBER(unclog.after, time, positive, "nothing passed for this long, where rest is not proved sooner, counted in what an unsteady flow carries; default 5 Stokes times"),
       NUMBER(unclog.duration, time, positive, "of a release: friction is off for this long; default 0.23 Stokes times"),
       NUMBER(unclog.region, number, non_negative, "friction is off from this many neck widths upstream of the neck on; default 0: everywhere"),
       NUMBER(unclog.strain, number, positive, "of a restart: as inlet.strain; default 10"),

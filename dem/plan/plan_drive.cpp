@@ -49,8 +49,8 @@ void judge_pressures(const Scene& s, const FlowFactors& factors, Plan& plan) {
       (drops->channel + drops->pack) / (s.flow.mean_velocity * s.geometry.channel_width * s.geometry.neck_height);
   if (s.flow.compliance > 0)
     plan.drive_notes.push_back(fmt::format(
-        "flow.compliance stores the flow for C (Delta p0 + pack) / Q0 = {:.3g} s, {:.3g} Stokes times: a clog lets the "
-        "pressure rise for as long as it holds",
+        "flow.compliance relaxes in C (Delta p0 + pack) / Q0 = {:.3g} s, {:.3g} Stokes times, in a clog, where the "
+        "pressure rises to what drives the mean flow through the pack",
         s.flow.compliance * resistance, s.flow.compliance * resistance / s.stokes_time()));
   else
     plan.drive_notes.push_back(

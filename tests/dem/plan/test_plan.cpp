@@ -110,7 +110,7 @@ TEST(Dimensionless, Womersley) {
 
 TEST(Plan, SaysWhatAnOscillationCanChange) {
   const auto plan = [](Overrides more) {
-    more.insert(more.end(), {"flow.oscillation.amplitude=0.5", "unclog.protocol=none"});
+    more.insert(more.begin(), {"flow.oscillation.amplitude=0.5", "unclog.protocol=none"});
     return make_plan(cheap_paper_scene(more));
   };
   const Plan slow = plan({"flow.oscillation.frequency=10 Hz"});
@@ -139,7 +139,7 @@ TEST(Plan, EstimatesThePressures) {
   EXPECT_NEAR(balance.value * *estimated_pressure_drop(cheap_paper_scene()), pack, 0.01 * pack);
   EXPECT_THAT(plan.drive_notes, Contains(HasSubstr("times the mean flow through the pack at rest")));
   EXPECT_THAT(make_plan(cheap_paper_scene({"flow.compliance=1e-13 m3/Pa", "drag.velocity=mixture"})).drive_notes,
-              Contains(HasSubstr("flow.compliance stores the flow for")));
+              Contains(HasSubstr("flow.compliance relaxes in C (Delta p0 + pack)")));
 }
 
 TEST(Dimensionless, AdhesionOverDrag) {
