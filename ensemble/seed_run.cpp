@@ -161,7 +161,8 @@ std::string inputs_hash(const Ensemble& ensemble) {
     const std::span<const float> field = flow->field();
     inputs.append(reinterpret_cast<const char*>(field.data()), field.size_bytes());
   }
-  for (const std::string& file : {ensemble.scene.particles.initial, ensemble.scene.geometry.stl})
+  for (const std::string& file :
+       {ensemble.scene.particles.initial, ensemble.scene.geometry.stl, ensemble.scene.flow.oscillation.table})
     if (!file.empty()) inputs += read_text_file(file);
   return content_hash(inputs);
 }

@@ -226,6 +226,8 @@ std::string si_unit(Dimension d) {
   if (d == dimension::stiffness) return "N/m";
   if (d == dimension::acceleration) return "m/s2";
   if (d == dimension::force) return "N";
+  if (d == dimension::flow_rate) return "m3/s";
+  if (d == dimension::compliance) return "m3/Pa";
   if (d == Dimension{2, 1, -2}) return "J";
   std::string unit;
   const std::pair<const char*, int> base[] = {{"kg", d.mass}, {"m", d.length}, {"s", d.time}};
@@ -250,6 +252,8 @@ QuantityWords quantity_words(Dimension d) {
   if (d == dimension::acceleration) return {"an acceleration", "-9.81 m/s2"};
   if (d == dimension::stiffness) return {"a stiffness, or an energy per area", "50 mN/m"};
   if (d == dimension::force) return {"a force", "2 nN"};
+  if (d == dimension::flow_rate) return {"a flow rate", "10 uL/min"};
+  if (d == dimension::compliance) return {"a compliance", "1e-15 m3/Pa"};
   return {fmt::format("a quantity in {}", si_unit(d)), fmt::format("1 {}", si_unit(d))};
 }
 

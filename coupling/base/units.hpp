@@ -25,6 +25,8 @@ inline constexpr Dimension density{-3, 1, 0};
 inline constexpr Dimension pressure{-1, 1, -2};
 inline constexpr Dimension viscosity{-1, 1, -1};
 inline constexpr Dimension force{1, 1, -2};
+inline constexpr Dimension flow_rate{3, 0, -1};
+inline constexpr Dimension compliance{4, -1, 2};
 inline constexpr Dimension stiffness{0, 1, -2};  // and energy per area
 }  // namespace dimension
 

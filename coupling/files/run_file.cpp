@@ -41,6 +41,13 @@ void for_each_column(Run& run, const Visit& visit) {
   visit("/series", "speed_q99", run.series.speed_q99, "m/s");
 }
 
+// Of a flow that is not steady; left out of the file where they are empty.
+template <class Run, class Visit>
+void for_each_drive_column(Run& run, const Visit& visit) {
+  visit("flow_factor", run.series.flow_factor, "1");
+  visit("pressure_drop", run.series.pressure_drop, "Pa");
+}
+
 // The vectors of one snapshot; `width` numbers a particle.
 template <class Snapshot, class Visit>
 void for_each_quantity(Snapshot& snapshot, const Visit& visit) {
@@ -72,6 +79,9 @@ bool cut_rows(RunData& run, const RunRows& rows) {
     values.resize(group == "/passages" ? rows.passages : group == "/releases" ? rows.releases : rows.series);
   });
   run.series.porosity.resize(rows.series);
+  for_each_drive_column(run, [&](const char*, std::vector<double>& values, const char*) {
+    if (!values.empty()) values.resize(rows.series);
+  });
   run.snapshots.resize(rows.snapshots);
   return true;
 }
@@ -85,6 +95,11 @@ std::string fault(const RunData& run) {
     table = group;
     if (wrong.empty() && values.size() != rows)
       wrong = fmt::format("{}/{} has {} rows (the columns before it have {})", group, column, values.size(), rows);
+  });
+  for_each_drive_column(run, [&](const char* column, const std::vector<double>& values, const char*) {
+    if (wrong.empty() && !values.empty() && values.size() != run.series.time.size())
+      wrong = fmt::format("/series/{} has {} rows (the other columns have {})", column, values.size(),
+                          run.series.time.size());
   });
   if (!wrong.empty()) return wrong;
   if (run.series.porosity.size() != run.series.time.size())
@@ -203,6 +218,9 @@ void write_run_file(const RunData& run, const std::filesystem::path& file) {
     out.write(group + "/" + column, values, {.unit = unit, .shape = {}});
   });
   write_porosity(out, run.series.porosity);
+  for_each_drive_column(run, [&](const std::string& column, const std::vector<double>& values, const char* unit) {
+    if (!values.empty()) out.write("/series/" + column, values, {.unit = unit, .shape = {}});
+  });
   write_snapshots(out, run.snapshots);
   out.write("/end_time", std::vector<double>{run.end_time}, {.unit = "s", .shape = {}});
   out.write("/provenance/seed", std::vector<std::uint64_t>{run.seed}, {.unit = "1", .shape = {}});
@@ -240,6 +258,9 @@ RunData read_run_file(const std::filesystem::path& file) {
     values = std::move(array.values);
   });
   run.series.porosity = read_porosity(in);
+  for_each_drive_column(run, [&](const std::string& column, std::vector<double>& values, const char* unit) {
+    if (in.has("/series/" + column)) values = in.read<double>("/series/" + column, unit).values;
+  });
   run.snapshots = read_snapshots(in);
   read_head(in, run);
   const std::string wrong = fault(run);

@@ -42,10 +42,12 @@ struct RunData {
     std::vector<double> largest_overlap;        ///< [m]
     std::vector<std::int64_t> contacts;         ///< particle-particle contacts
     std::vector<std::int64_t> wall_contacts;
-    std::vector<double> drag_work;     ///< since the start [J]
-    std::vector<double> dissipated;    ///< since the start [J]
-    std::vector<double> median_speed;  ///< half a step before the places [m/s]
-    std::vector<double> speed_q99;     ///< 99 % quantile of the same [m/s]
+    std::vector<double> drag_work;      ///< since the start [J]
+    std::vector<double> dissipated;     ///< since the start [J]
+    std::vector<double> median_speed;   ///< half a step before the places [m/s]
+    std::vector<double> speed_q99;      ///< 99 % quantile of the same [m/s]
+    std::vector<double> flow_factor;    ///< q on V0; empty where it is 1 [-]
+    std::vector<double> pressure_drop;  ///< over the whole channel; empty where it does not drive the flow [Pa]
   } series;
 
   /// The state at one time; always at the start and at the end, and every output.snapshot_interval.

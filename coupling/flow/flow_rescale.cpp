@@ -56,6 +56,9 @@ RescaledFlow rescaled_flow(FlowGrid grid, const Scene& scene) {
                       .factor = scene.flow.mean_velocity / solved.flow.mean_velocity,
                       .error = error_per_reynolds_number * std::abs(to - from)};
   for (float& component : result.grid.velocity) component = static_cast<float>(component * result.factor);
+  // Of creeping flow, which it is scaled as.
+  if (auto& drop = result.grid.record.pressure_drop)
+    *drop *= result.factor * (scene.fluid.viscosity / solved.fluid.viscosity);
   result.grid.record.rescaled = {.from = result.grid.hash, .factor = result.factor, .error = result.error};
   result.grid.scene_text = effective_scene(scene);
   result.grid.hash = content_hash(flow_inputs(scene));

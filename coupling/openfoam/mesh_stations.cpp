@@ -58,7 +58,8 @@ public:
       : g_(scene.geometry),
         shape_(shape),
         straight_part_(solved_length(scene.geometry)),
-        cell_(scene.geometry.neck_width / scene.flow.mesh_cells_per_neck) {
+        cell_(scene.geometry.neck_width / scene.flow.mesh_cells_per_neck),
+        spacing_(scene.flow.grid_spacing) {
     sides_ = {&shape.upper};
     if (!shape.symmetric) sides_.push_back(&shape.lower);
   }
@@ -176,15 +177,16 @@ private:
     add_corner("neckEnd", count - 2);
     add_corner("expansionCorner", count - 1);
     const MeshFoot corner = stations_.back().foot.front();
+    // The grid's last plane lies up to a spacing behind the end.
     const double length =
-        std::max(g_.expansion_length, development_widths * std::max(g_.expansion_width, g_.neck_height));
+        std::max(g_.expansion_length + spacing_, development_widths * std::max(g_.expansion_width, g_.neck_height));
     const double size = std::max(0.13 * length, corner.after);
     stations_.push_back(straight("outlet", corner.wall.x() + length, grade_inlet, size, size));
   }
 
   decltype(Scene::geometry) g_;
   const ChannelShape& shape_;
-  double straight_part_, cell_;
+  double straight_part_, cell_, spacing_;
   std::vector<const ChannelSide*> sides_;
   std::vector<MeshStation> stations_;
 };

@@ -46,6 +46,7 @@ Scene read_scene(const std::filesystem::path& file, const Overrides& overrides) 
   SceneDraft draft = read_draft(text, file.string(), overrides);
   locate(draft, file.parent_path(), {"geometry.stl", &draft.scene.geometry.stl});
   locate(draft, file.parent_path(), {"particles.initial", &draft.scene.particles.initial});
+  locate(draft, file.parent_path(), {"flow.oscillation.table", &draft.scene.flow.oscillation.table});
   measure_stl(draft);
   return finish(std::move(draft));
 }

@@ -12,6 +12,8 @@
 namespace clogflow {
 
 enum class FlowSource { openfoam, uniform, none };
+enum class OscillationShape { sine, square };
+enum class DrivenBy { rate, pressure };
 enum class Lookup { nearest, trilinear };
 enum class TorsionUpdate { objective, doubling };
 enum class BelowRoughness { off, clamp };
@@ -45,6 +47,7 @@ struct Scene {
   struct Flow {
     FlowSource source = FlowSource::none;
     double mean_velocity = 0;          ///< mean in the wide channel [m/s]
+    double rate = 0;                   ///< given in the place of mean_velocity, which it becomes; then 0 [m3/s]
     std::array<double, 3> velocity{};  ///< of a uniform flow [m/s]
     double mesh_cells_per_neck = 0;    ///< cells across the full neck width [-]
     bool extrapolate = false;          ///< towards cells of no size, from this mesh and a coarser one
@@ -56,6 +59,23 @@ struct Scene {
       double strength = 0;  ///< standard deviation of the factor on V0 [-]
       double time = 0;      ///< correlation time [s]
     } pulsation;
+    DrivenBy drive = DrivenBy::rate;
+    double pressure_drop = 0;  ///< that drives it, inlet to outlet [Pa]; 0: it is not driven by pressure
+    double compliance = 0;     ///< between a pump of constant rate and the channel [m3/Pa]; 0: none
+
+    /// Whether the particles' resistance decides how fast it goes: dem/fluid/pressure_balance.hpp.
+    bool balances() const { return drive == DrivenBy::pressure || compliance > 0; }
+
+    /// A prescribed factor on the whole flow: dem/fluid/oscillation.hpp.
+    struct {
+      double amplitude = 0;  ///< over the mean flow [-]; 0: none
+      double frequency = 0;  ///< [Hz]
+      double phase = 0;      ///< at time 0, of a period [-]
+      OscillationShape shape = OscillationShape::sine;
+      std::string table;  ///< CSV of time and factor in their place; empty: none
+
+      bool on() const { return amplitude > 0 || !table.empty(); }
+    } oscillation;
   } flow;
 
   struct Particles {

@@ -87,6 +87,55 @@ void check_flow(const SceneDraft& draft) {
   }
 }
 
+void check_oscillation(const SceneDraft& draft) {
+  const auto& oscillation = draft.scene.flow.oscillation;
+  const auto path = [](const char* name) { return fmt::format("flow.oscillation.{}", name); };
+  const auto goes_with_amplitude = [&](const char* name, bool given) {
+    require(!given || oscillation.amplitude > 0, "{} (needs flow.oscillation.amplitude, e.g. 0.5)",
+            draft.says(path(name)));
+  };
+  goes_with_amplitude("frequency", oscillation.frequency > 0);
+  goes_with_amplitude("phase", oscillation.phase > 0);
+  goes_with_amplitude("shape", oscillation.shape != OscillationShape::sine);
+  require(oscillation.table.empty() || oscillation.amplitude == 0,
+          "{} (stands in the place of flow.oscillation.amplitude: leave one out)",
+          draft.says("flow.oscillation.table"));
+  if (!oscillation.on()) return;
+  const std::string key = path(oscillation.amplitude > 0 ? "amplitude" : "table");
+  require(oscillation.amplitude == 0 || oscillation.frequency > 0,
+          "{} (needs flow.oscillation.frequency, e.g. \"10 Hz\")", draft.says(key));
+  require(draft.scene.flow.source != FlowSource::none, "{} (there is no flow to oscillate)", draft.says(key));
+}
+
+/// The pressure that the particles resist is of the drag of a mixture, linear in the flow.
+void check_drive(const SceneDraft& draft) {
+  const Scene& s = draft.scene;
+  const bool pressure = s.flow.drive == DrivenBy::pressure;
+  require(!pressure || draft.has("flow.pressure_drop"),
+          "{}: flow.pressure_drop is missing (a pressure, e.g. \"100 Pa\"; flow.drive is \"pressure\")", draft.name);
+  require(pressure || !draft.has("flow.pressure_drop"), "{} (is only for flow.drive = \"pressure\")",
+          draft.says("flow.pressure_drop"));
+  require(
+      !pressure || !draft.has("flow.compliance"),
+      "{} (lies behind a pump of constant rate: a pressure that is held loads it once and for all): set flow.drive = "
+      "\"rate\" or leave it out",
+      draft.says("flow.compliance"));
+  if (!s.flow.balances()) return;
+  const char* key = pressure ? "flow.drive" : "flow.compliance";
+  require(s.flow.source == FlowSource::openfoam, "{} (needs flow.source = \"openfoam\", whose channel resists)",
+          draft.says(key));
+  require(s.drag.enabled && s.drag.velocity == DragVelocity::mixture,
+          "{} (a pressure balance keeps the mixture's rate: set drag.velocity = \"mixture\")", draft.says(key));
+  require(s.drag.law != "beetstra", "{} (is solved with a drag that is linear in the slip: set drag.law = \"hoef\")",
+          draft.says(key));
+  require(s.drag.fluctuation.strength == 0,
+          "{} (is solved with a drag that is linear in the slip): leave out "
+          "drag.fluctuation",
+          draft.says(key));
+  require(s.time.integrator != Integrator::implicit_fluid,
+          "{} (is not solved together with implicit films: set time.integrator = \"implicit_drag\")", draft.says(key));
+}
+
 /// A constant that only some laws have is given with one of them, and with no other.
 void check_constant_of_laws(const SceneDraft& draft, std::initializer_list<std::string_view> laws, const char* key,
                             const char* example) {
@@ -204,6 +253,8 @@ void check_scene(const SceneDraft& draft) {
   check_walls(draft);
   check_particles(draft);
   check_flow(draft);
+  check_oscillation(draft);
+  check_drive(draft);
   check_contact(draft);
   check_terms(draft);
   check_starts_and_clogs(draft);

@@ -1,6 +1,7 @@
 // Defaults that depend on other keys, in the order in which they depend on each other.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "coupling/base/require.hpp"
 #include "coupling/scene/grid_spacing.hpp"
@@ -52,9 +53,29 @@ void fill_geometry(SceneDraft& draft) {
   }
 }
 
+/// A flow rate becomes the mean velocity. An override beats the file.
+void use_rate(SceneDraft& draft) {
+  auto& flow = draft.scene.flow;
+  const auto& geometry = draft.scene.geometry;
+  if (!draft.has("flow.rate")) return;
+  const auto overridden = [&](const char* key) { return draft.given.at(key).where.starts_with("--set "); };
+  if (draft.has("flow.mean_velocity")) {
+    require(overridden("flow.rate") != overridden("flow.mean_velocity"),
+            "{} (flow.mean_velocity is given too: choose one)", draft.says("flow.rate"));
+  }
+  const double rate = std::exchange(flow.rate, 0);
+  if (draft.has("flow.mean_velocity") && overridden("flow.mean_velocity")) return;
+  require(geometry.present && geometry.channel_width > 0,
+          "{} (needs a [geometry] with neck_width, whose channel has a cross-section): give flow.mean_velocity",
+          draft.says("flow.rate"));
+  flow.mean_velocity = rate / (geometry.channel_width * geometry.neck_height);
+  draft.given["flow.mean_velocity"] = draft.given.at("flow.rate");
+}
+
 void fill_flow(SceneDraft& draft) {
   auto& flow = draft.scene.flow;
   const auto& geometry = draft.scene.geometry;
+  use_rate(draft);
   if (!draft.has("flow.source"))
     flow.source = draft.has_section("flow") && geometry.present ? FlowSource::openfoam : FlowSource::none;
   if (flow.source == FlowSource::openfoam) {

@@ -31,6 +31,8 @@ constexpr std::pair<std::string_view, std::string_view> later[] = {
     {"unclog.region", "0"},
     {"unclog.shortcut", "false"},
     {"inlet.concentration", "0"},
+    {"flow.drive", "\"rate\""},
+    {"flow.oscillation.shape", "\"sine\""},
     {"gravity", "[\"0 m/s2\", \"0 m/s2\", \"0 m/s2\"]"},
 };
 

@@ -95,6 +95,7 @@ std::vector<Key> make_keys() {
 
       WORD(flow.source, "where the flow comes from; default openfoam with a [geometry], none without", "openfoam", "uniform", "none"),
       NUMBER(flow.mean_velocity, velocity, positive, "mean over the wide channel"),
+      NUMBER(flow.rate, flow_rate, positive, "volume per time, in the place of mean_velocity: over channel_width times neck_height"),
       VECTOR(flow.velocity, velocity, "of a uniform flow: three velocities, or one along x"),
       NUMBER(flow.mesh_cells_per_neck, number, (Range{.low = 4, .high = 400}), "mesh cells across the full neck width; default 48"),
       SWITCH(flow.extrapolate, "solve on half as many cells along each edge too, and extrapolate to cells of no size; default true for a shape given by keys, from 16 cells on"),
@@ -104,6 +105,14 @@ std::vector<Key> make_keys() {
       SWITCH(flow.rescale, "scale the field to mean_velocity, so that one solution serves several velocities"),
       NUMBER(flow.pulsation.strength, number, non_negative, "standard deviation of a random factor on the whole flow; default 0: off"),
       NUMBER(flow.pulsation.time, time, positive, "its correlation time"),
+      WORD(flow.drive, "what is given: the rate of the flow, or the pressure drop over the channel, whose flow then depends on what the particles resist; default rate", "rate", "pressure"),
+      NUMBER(flow.pressure_drop, pressure, positive, "over the channel, from inlet to outlet, for drive = \"pressure\""),
+      NUMBER(flow.compliance, compliance, positive, "of a tube or syringe between a pump of constant rate and the channel, volume over pressure; default: none"),
+      NUMBER(flow.oscillation.amplitude, number, positive, "of a prescribed factor on the whole flow, 1 + amplitude sin(2 pi (frequency t + phase)); default: steady"),
+      NUMBER(flow.oscillation.frequency, rate, positive, "of that factor"),
+      NUMBER(flow.oscillation.phase, number, (Range{.low = 0, .high = 1, .low_allowed = false, .high_allowed = false}), "at time 0, as a share of a period; default 0"),
+      WORD(flow.oscillation.shape, "of that factor: the sine, or its sign", "sine", "square"),
+      TEXT(flow.oscillation.table, "CSV file in the place of all that, with the header time,factor or time [ms],factor: ramps and reversals"),
 
       NUMBER(particles.diameter, length, positive, "of a particle"),
       NUMBER(particles.density, density, positive, "of the particles; default fluid.density"),
@@ -155,7 +164,7 @@ std::vector<Key> make_keys() {
       NUMBER(inlet.strain, number, positive, "volume of particles that passes without friction before a flowing start counts, in neck widths times the neck's cross-section; default 10"),
 
       WORD(unclog.protocol, "at a clog: nothing, a moment without friction, the run ends, the column flows without friction as at a flowing start, or its arch is taken out", "none", "release", "stop", "restart", "poke"),
-      NUMBER(unclog.after, time, positive, "nothing passed for this long, where rest is not proved sooner; default 5 Stokes times"),
+      NUMBER(unclog.after, time, positive, "nothing passed for this long, where rest is not proved sooner, counted in what an unsteady flow carries; default 5 Stokes times"),
       NUMBER(unclog.duration, time, positive, "of a release: friction is off for this long; default 0.23 Stokes times"),
       NUMBER(unclog.region, number, non_negative, "friction is off from this many neck widths upstream of the neck on; default 0: everywhere"),
       NUMBER(unclog.strain, number, positive, "of a restart: as inlet.strain; default 10"),

@@ -14,6 +14,7 @@ Fluid::Fluid(const Scene& scene, const FlowField& field, PorosityStrips strips, 
       strips_(std::move(strips)),
       local_(std::move(local)),
       noise_(scene),
+      drive_(scene),
       law_(drag_law(scene)),
       viscosity_(scene.fluid.viscosity),
       density_(scene.fluid.density),
@@ -50,7 +51,7 @@ void Fluid::evaluate(Particles& p) {
 }
 
 void Fluid::sample(Particles& p) {
-  const double pulse = noise_.pulsation();
+  const double pulse = this->pulse();
   // Per strip: the velocity over V0, pulsating, and the coefficient.
   const bool by_strip = local_.empty() && !strips_.empty();
   const std::size_t strips = by_strip ? strips_.porosity().size() : 1;
@@ -86,7 +87,7 @@ void Fluid::add_surroundings(const Particles& p) {
 }
 
 void Fluid::add_vorticity(const Particles& p) {
-  const double pulse = noise_.pulsation();
+  const double pulse = this->pulse();
   for (auto* values : {&turn_, &sx_, &sy_, &sz_}) values->resize(p.size());
   for (std::size_t i = 0; i < p.size(); ++i) {
     const auto spin = field_.half_vorticity(p[i].x, p[i].y, p[i].z);
@@ -114,6 +115,12 @@ void Fluid::add_fluctuation(const Particles& p) {
     const auto factor = noise_.fluctuation(i);
     ux_[i] += scale * factor[0], uy_[i] += scale * factor[1], uz_[i] += scale * factor[2];
   }
+}
+
+void Fluid::balance(const AdvanceTask& step, double dt) {
+  drive_.balance(resistance_of(step), noise_.pulsation(), dt);
+  for (auto* values : {&ux_, &uy_, &uz_, &sx_, &sy_, &sz_})
+    for (double& value : *values) value *= drive_.factor();
 }
 
 void Fluid::attach(AdvanceTask& task) const {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "coupling/scene/scene.hpp"
+#include "dem/fluid/flow_drive.hpp"
 #include "dem/fluid/flow_field.hpp"
 #include "dem/fluid/fluid_noise.hpp"
 #include "dem/fluid/local_porosity.hpp"
@@ -46,6 +47,9 @@ public:
   /// Fills velocity and drag of every particle. Does nothing when the scene has no drag.
   void evaluate(Particles& particles);
 
+  /// Takes what evaluate() filled for q = 1 to the q that pressures balance at. \param step  what advance() is given
+  void balance(const AdvanceTask& step, double dt);
+
   /// Points a task to what evaluate() filled.
   void attach(AdvanceTask& task) const;
 
@@ -60,14 +64,20 @@ public:
   const PorosityStrips& strips() const { return strips_; }
   const LocalPorosity& local() const { return local_; }
   const FluidNoise& noise() const { return noise_; }
+  const FlowDrive& drive() const { return drive_; }
+  FlowDrive& drive() { return drive_; }
 
   template <class Archive>
   void exchange(Archive& archive) {
     archive(strips_, noise_);
     if (!local_.empty()) archive(local_);
+    if (drive_.on()) archive(drive_);
   }
 
 private:
+  /// Factor on V0 [-]
+  double pulse() const { return drive_.is_balancing() ? 1 : noise_.pulsation() * drive_.factor(); }
+
   /// Velocity and drag as they are in the particle's strip.
   void sample(Particles& particles);
 
@@ -95,6 +105,7 @@ private:
   PorosityStrips strips_;
   LocalPorosity local_;
   FluidNoise noise_;
+  FlowDrive drive_;
   const DragLaw& law_;
   double viscosity_, density_;
   const Kernels& kernels_;

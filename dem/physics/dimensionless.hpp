@@ -22,6 +22,21 @@ inline double reynolds_number(double density, double speed, double length, doubl
   return density * speed * length / viscosity;
 }
 
+struct Liquid {
+  double density, viscosity;  ///< [kg/m3], [Pa s]
+};
+
+/// Womersley's number on the half height: whether a flow between plates keeps its steady profile while its rate
+/// oscillates, (H/2) sqrt(2 pi f rho / eta); it does well below 1. [-]
+inline double womersley_number(const Liquid& l, double frequency, double height) {
+  return height / 2 * std::sqrt(2 * std::numbers::pi * frequency * l.density / l.viscosity);
+}
+
+/// Frequency at which it is 1 [Hz].
+inline double quasi_steady_until(const Liquid& l, double height) {
+  return 2 * l.viscosity / (std::numbers::pi * l.density * height * height);
+}
+
 /// Time in which drag makes a sphere follow the fluid: m / (3 pi eta d f) [s].
 /// \param voidage  f(eps) [-]
 inline double response_time(const SphereInFluid& s, double voidage) {

@@ -13,6 +13,7 @@
 #include "dem/physics/laws/dmt.hpp"
 #include "dem/physics/material_pair.hpp"
 #include "dem/physics/time_step.hpp"
+#include "dem/plan/plan_drive.hpp"
 #include "dem/plan/term_costs.hpp"
 #include "dem/run/initial_placement.hpp"
 #include "dem/run/model.hpp"
@@ -21,10 +22,6 @@
 namespace clogflow {
 
 namespace {
-
-/// Ratio of diameter to overlap below which a scene is called too soft: preliminary runs with other
-/// programs saw biased bursts at E = 3e5 Pa and 33 um (about 18) and none at 3e6 Pa (about 85).
-constexpr double softest = 30;
 
 /// Duration of a filled start in units of the time the flow needs for the channel, as seen.
 constexpr double filling_share = 0.7;
@@ -88,8 +85,8 @@ void judge_fluid(const Scene& s, const Judge& term) {
           law.factor({pack_porosity, law.knows_slip ? slip : 0}), true, drag, "drives everything"});
     const double stokes =
         response_time(sphere, drag_law(s).slow_factor(pack_porosity)) * s.time.mass_scale * v / sphere.diameter;
-    term({"particle inertia", "St = t_response v / d, mass scale included", stokes, stokes > 0.1, true,
-          stokes > 0.1 ? "mass scaled too far" : "irrelevant: mass may be scaled up"});
+    term({"particle inertia", "St = t_response v / d, mass scale included", stokes, stokes > largest_inertia, true,
+          stokes > largest_inertia ? "mass scaled too far" : "irrelevant: mass may be scaled up"});
     const double impact = collision_stokes_number(sphere, collision_speed_share * v);
     term({"dry restitution", "St of a collision", impact, impact > 10, true, "irrelevant below 10"});
     term({"lubrication", "roughness gap 2 xi / d", 2 * s.particles.roughness / sphere.diameter,
@@ -167,8 +164,8 @@ void find_limits(const Scene& s, const Model& model, Plan& plan) {
   plan.dt = model.dt;
   plan.limits = expected_limits(model, read_initial_particles(s));
   if (s.geometry.present && s.flow.mean_velocity > 0)
-    plan.way_limit =
-        0.01 * s.particles.diameter / (neck_mean_velocity(s.geometry, s.flow.mean_velocity) / pack_porosity);
+    plan.way_limit = 0.01 * s.particles.diameter /
+                     (model.factors.fastest * neck_mean_velocity(s.geometry, s.flow.mean_velocity) / pack_porosity);
 }
 
 /// What a flowing start takes to pass its strain, as seen: solids move through the channel at a packing fraction of
@@ -217,6 +214,7 @@ Plan make_plan(const Scene& scene) {
   judge_adhesion(scene, plan);
   judge_drag(scene, plan);
   plan.contact = scene.contact;
+  judge_drive(scene, model, plan);
   find_limits(scene, model, plan);
   estimate_cost(scene, model, plan);
   judge_flow(scene, plan);
@@ -243,6 +241,7 @@ std::vector<std::string> warnings(const Plan& plan) {
   }
   if (!plan.drag_gap.empty()) lines.push_back(plan.drag_gap);
   if (!plan.law_note.empty()) lines.push_back(plan.law_note);
+  lines.insert(lines.end(), plan.drive_warnings.begin(), plan.drive_warnings.end());
   if (!plan.layers_note.empty()) lines.push_back(plan.layers_note);
   if (plan.dt > plan.limits.smallest())
     lines.push_back(

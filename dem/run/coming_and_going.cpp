@@ -31,12 +31,12 @@ void take_out_arch(RunState& state, std::vector<std::uint8_t>& leaving) {
 }  // namespace
 
 void feed_inlet(RunState& state) {
-  const double time = state.time();
-  if (!state.inlet.enabled() || time < state.next_insertion) return;
+  const double now = state.flow_time();
+  if (!state.inlet.enabled() || now < state.next_insertion || state.fluid.drive().factor() <= 0) return;
   const std::size_t before = state.count();
-  if (state.inlet.insert(state.particles, state.fluid, state.random, time) > 0) state.lists.outdate();
+  if (state.inlet.insert(state.particles, state.fluid, state.random, state.time()) > 0) state.lists.outdate();
   for (std::size_t i = before; i < state.count(); ++i) state.energy.brought += energy_of(state.particles[i]);
-  state.next_insertion = time + state.inlet.interval();
+  state.next_insertion = now + state.inlet.interval();
 }
 
 std::vector<std::uint8_t> leaving_particles(RunState& state) {

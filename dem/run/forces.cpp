@@ -48,7 +48,11 @@ void sum_contacts(RunState& state, const Kernels& kernels) {
 void meet_fluid(RunState& state) {
   // The channel is filled and comes to rest in the mean flow.
   if (!state.filling.gate_is_closed()) state.fluid.fluctuate(state.particles, state.seed, state.time());
+  // A laboratory that is stepped by hand is never filled.
+  const bool fills = state.filling.has_begun() && !state.filling.is_done();
+  state.fluid.drive().prescribe(state.time(), !fills);
   state.fluid.evaluate(state.particles);
+  if (state.fluid.drive().is_balancing()) state.fluid.balance(advance_task(state), state.clock.dt());
   if (has_implicit_films(state)) add_implicit_films(advance_task(state), present_films(state));
 }
 

@@ -72,7 +72,7 @@ int Inlet::insert(Particles& p, const Fluid& fluid, RandomStream& random, double
   const int attempts = attempts_per_place * std::max(1, static_cast<int>(size.y * size.z / (4 * r * r)));
   int inserted = 0;
   for (int attempt = 0; attempt < attempts; ++attempt) {
-    if (rate_ > 0 && static_cast<double>(fed_) >= rate_ * time) break;
+    if (rate_ > 0 && static_cast<double>(fed_) >= rate_ * rated_time(fluid, time)) break;
     const Vec3 c = random_place(low_ + Vec3::Constant(r), high_ - Vec3::Constant(r), random);
     if (!carries(fluid, c, random)) continue;
     const bool free = std::none_of(near.begin(), near.end(), [&](int i) {
@@ -87,12 +87,13 @@ int Inlet::insert(Particles& p, const Fluid& fluid, RandomStream& random, double
     particle.id = first_id_ + next_id_++;
     particle.x = c.x, particle.y = c.y, particle.z = c.z;
     const auto u = fluid.field().at(c.x, c.y, c.z);
-    particle.vx = u[0], particle.vy = u[1], particle.vz = u[2];
+    const double speed = fluid.drive().factor();
+    particle.vx = speed * u[0], particle.vy = speed * u[1], particle.vz = speed * u[2];
     near.push_back(static_cast<int>(p.size()));
     p.add(particle);
     ++inserted;
     ++fed_;
-    last_fed_ = time;
+    last_fed_ = fluid.drive().flow_time(time);
   }
   return inserted;
 }

@@ -32,7 +32,7 @@ public:
   /// Numbers before this one are taken, by particles that are there from the start.
   void number_from(std::int64_t first) { first_id_ = first; }
 
-  /// Tries to insert at time t. \return number inserted
+  /// Tries to insert at time t, at the flow's present speed. \return number inserted
   int insert(Particles& particles, const Fluid& fluid, RandomStream& random, double time);
 
   /// Fills the straight channel at random, loosely: the flow then packs it against the gate.
@@ -41,12 +41,14 @@ public:
   std::int64_t inserted() const { return next_id_; }
   /// Particles that there ever were, those from the start too.
   std::int64_t numbered() const { return first_id_ + next_id_; }
-  /// When a particle came in last, by the clock of insert(); 0: none since it began [s]
+  /// When a particle came in last, by the flow's clock; 0: none since it began [s]
   double last_fed() const { return last_fed_; }
   std::int64_t refused() const { return refused_; }  ///< attempts that found no room
 
   /// Whether more would come in at time t if there were room: a clog is not for good while it could still be fed.
-  bool waits(double time) const { return rate_ == 0 || static_cast<double>(fed_) < rate_ * time; }
+  bool waits(const Fluid& fluid, double time) const {
+    return rate_ == 0 || static_cast<double>(fed_) < rate_ * rated_time(fluid, time);
+  }
 
   /// Whether it tried and nothing came in since its clock began.
   bool shut() const { return fed_ == 0 && refused_ > 0; }
@@ -66,6 +68,10 @@ public:
 private:
   const Model* model_;
   bool enabled_;
+  /// What rate_ counts by: the liquid that a concentration came in with, or the time. [s]
+  double rated_time(const Fluid& fluid, double time) const {
+    return model_->scene.inlet.concentration > 0 ? fluid.drive().carried(time) : time;
+  }
   bool carries(const Fluid& fluid, const Vec3& place, RandomStream& random);
 
   double interval_ = 0, rate_;

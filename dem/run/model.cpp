@@ -4,14 +4,17 @@
 #include <cmath>
 
 #include "coupling/base/require.hpp"
+#include "coupling/flow/channel_drop.hpp"
 #include "coupling/flow/flow_flux.hpp"
 #include "coupling/flow/flow_rescale.hpp"
 #include "coupling/geometry/channel_geometry.hpp"
 #include "coupling/geometry/channel_shape.hpp"
 #include "coupling/geometry/stl_surface.hpp"
+#include "dem/physics/drag.hpp"
 #include "dem/physics/porosity.hpp"
 #include "dem/physics/time_step.hpp"
 #include "dem/run/model_walls.hpp"
+#include "dem/stability/pack_estimates.hpp"
 #include "dem/state/initial_particles.hpp"
 
 namespace clogflow {
@@ -79,6 +82,20 @@ void refuse_unresolved(const Scene& s) {
           s.fidelity.preset.empty() ? "tolerance" : "preset");
 }
 
+double flow_rate(const Scene& s) { return s.flow.mean_velocity * s.geometry.channel_width * s.geometry.neck_height; }
+
+FlowFactors flow_factors(const Scene& scene, const FlowGrid* flow) {
+  const Oscillation oscillation(scene);
+  check_return(scene, oscillation);
+  const double k = oscillation.largest();
+  FlowFactors factors{k, k};
+  const auto drops = expected_drops(scene, flow);
+  if (!drops) return factors;
+  const bool compliant = scene.flow.compliance > 0;
+  const double drop = compliant ? drops->channel + drops->pack : scene.flow.pressure_drop;
+  return {k * drop / drops->channel, k * drops->mean_factor(drop)};
+}
+
 /// More than any one core finishes; a diameter with a wrong unit gets here.
 constexpr double most_particles = 1e8;
 
@@ -104,9 +121,12 @@ const char* Model::step_key() const {
 Particle Model::particle(double radius) const { return particle_at_rest(scene, radius); }
 
 StepLimits expected_limits(const Model& model, const std::vector<Particle>& initial) {
-  return expected_limits(
-      {.scene = model.scene, .laws = model.laws, .contact_time = model.contact_time, .has_walls = !model.walls.empty()},
-      initial);
+  return expected_limits({.scene = model.scene,
+                          .laws = model.laws,
+                          .contact_time = model.contact_time,
+                          .has_walls = !model.walls.empty(),
+                          .factors = model.factors},
+                         initial);
 }
 
 std::string check_step(const StepLimits& limits, const Model& model) {
@@ -135,12 +155,28 @@ Model make_model(const Scene& scene, const FlowGrid* flow, const std::vector<Par
       std::max({model.laws.film.farthest, model.laws.pair.reach(largest / 2), model.laws.wall.contact.reach(largest)})};
   model.largest_radius = scene.inlet.enabled ? scene.particles.diameter / 2 : 0;
   for (const Particle& p : initial) model.largest_radius = std::max(model.largest_radius, p.radius);
+  model.factors = flow_factors(scene, flow);
   build_walls(model, flow);
   model.weld = weld_length(model.walls, scene.geometry);
   choose_step(model, initial);
   check_spins(model, initial);
   model.laws.wall.dt = model.dt;
   return model;
+}
+
+std::optional<ExpectedDrops> expected_drops(const Scene& s, const FlowGrid* flow) {
+  if (!s.flow.balances()) return std::nullopt;
+  const std::optional<double> channel = flow ? solved_pressure_drop(*flow, s) : estimated_pressure_drop(s);
+  if (!channel) return std::nullopt;
+  ExpectedDrops drops{*channel, 0};
+  if (!s.inlet.enabled) return drops;
+  constexpr double profile = 1.3;  // <V0^2> / <V0>^2
+  const double v = s.flow.mean_velocity, d = s.particles.diameter;
+  const double count =
+      (1 - pack_porosity) * channel_volume(s.geometry, channel_start(s.geometry), 0) / sphere_volume(d / 2);
+  drops.pack = count * drag_law(s).slow_factor(pack_porosity) * stokes_coefficient(s.fluid.viscosity, d) * profile * v *
+               v / (pack_porosity * flow_rate(s));
+  return drops;
 }
 
 namespace {
@@ -177,7 +213,9 @@ Fluid make_fluid(const Scene& scene, const FlowGrid* flow) {
     if (scene.porosity.strips > 0) strips = make_strips(scene);
     if (scene.porosity.method == PorosityMethod::local) local = make_local(scene, flow);
   }
-  return {scene, field, std::move(strips), std::move(local)};
+  Fluid fluid(scene, field, std::move(strips), std::move(local));
+  if (scene.flow.balances()) fluid.drive() = FlowDrive(scene, {solved_pressure_drop(*flow, scene), flow_rate(scene)});
+  return fluid;
 }
 
 }  // namespace clogflow

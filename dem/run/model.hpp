@@ -1,6 +1,8 @@
 // The scene turned into what the solver needs: laws, steps, walls, limits. Constant during a run.
 #pragma once
 
+#include <optional>
+
 #include "coupling/files/flow_grid.hpp"
 #include "coupling/scene/scene.hpp"
 #include "dem/contact/laws.hpp"
@@ -27,6 +29,7 @@ struct Model {
   std::string walls_note;     ///< one line on walls from a file that are open, or empty
   Domain domain;
   double contact_time = 0;  ///< tau_Hertz [s]
+  FlowFactors factors;      ///< how fast the flow goes at most
   double dt = 0;            ///< [s]
   std::int64_t steps = 0;
 
@@ -44,6 +47,16 @@ Model make_model(const Scene& scene, const FlowGrid* flow, const std::vector<Par
 /// The limits of the model's step, and what is wrong with it: see dem/stability/step_limit.hpp.
 StepLimits expected_limits(const Model& model, const std::vector<Particle>& initial);
 std::string check_step(const StepLimits& limits, const Model& model);
+
+/// What the mean flow takes: through the empty channel, and through a pack at rest that fills it upstream of the neck
+/// [Pa]. The pack's is of pack_porosity and a developed profile (<V0^2> about 1.3 <V0>^2).
+struct ExpectedDrops {
+  double channel = 0, pack = 0;
+  double mean_factor(double drop) const { return drop / (channel + pack); }  ///< q of a pressure drop through the pack
+};
+
+/// Where pressures are balanced. \param flow  nullptr: an estimate \return none where there is no estimate
+std::optional<ExpectedDrops> expected_drops(const Scene& scene, const FlowGrid* flow);
 
 /// The fluid as the scene wants it, on the grid if there is one.
 Fluid make_fluid(const Scene& scene, const FlowGrid* flow);

@@ -89,6 +89,8 @@ void Recorder::sample_series(RunState& state) {
   series.dissipated.push_back(state.energy.supplied() - kinetic - elastic);
   series.median_speed.push_back(quantile(speeds, 0.5));
   series.speed_q99.push_back(quantile(speeds, 0.99));
+  if (state.fluid.drive().on()) series.flow_factor.push_back(state.fluid.drive().factor());
+  if (state.fluid.drive().balances()) series.pressure_drop.push_back(state.fluid.drive().pressure_drop());
 }
 
 void Recorder::snapshot(const RunState& state) {
@@ -119,11 +121,17 @@ void Recorder::find_passages(RunState& state) {
     data.passages.y.push_back(p[i].y - since * p[i].vy);
     data.passages.z.push_back(p[i].z - since * p[i].vz);
     data.passages.friction_off.push_back(state.clog_watch.friction_off());
-    state.clog_watch.passed(state.time());
+    state.clog_watch.passed(state.flow_time());
   }
 }
 
 void Recorder::pass_over(RunState& state) const { new_crossings(state); }
+
+void Recorder::take_back(RunState& state) {
+  Particles& p = state.particles;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    if (p[i].x < state.model.domain.passage - p[i].radius) p.passed[i] = 0;
+}
 
 void Recorder::stop(const RunState& state) {
   data.record.clogged_at = state.time();

@@ -27,6 +27,9 @@ public:
   /// Those who are beyond the plane already count no more.
   void pass_over(RunState& state) const;
 
+  /// Where the flow goes back: those who are a radius before the plane again will count anew.
+  static void take_back(RunState& state);
+
   /// The clog that ends the run.
   void stop(const RunState& state);
 

@@ -20,9 +20,11 @@ double size_of(const Vec3& v) { return std::sqrt(dot(v, v)); }
 
 bool rests_for_good(const RunState& state) {
   const Scene& s = state.model.scene;
-  if (!state.has_friction() || state.fluid.noise().on()) return false;
+  const FlowDrive& drive = state.fluid.drive();
+  if (!state.has_friction() || state.fluid.noise().on() || !drive.is_steady(state.time())) return false;
   const Inlet& inlet = state.inlet;
-  if (inlet.enabled() && (!inlet.waits(state.time()) || state.time() < inlet.last_fed() + s.stokes_time()))
+  if (inlet.enabled() &&
+      (!inlet.waits(state.fluid, state.time()) || state.flow_time() < inlet.last_fed() + s.stokes_time()))
     return false;
   const Particles& p = state.particles;
   std::vector<double> speeds;
@@ -33,7 +35,7 @@ bool rests_for_good(const RunState& state) {
     upstream.push_back(static_cast<int>(i));
   }
   if (speeds.empty()) return false;
-  const double flow = s.flow_speed();
+  const double flow = std::abs(drive.factor()) * s.flow_speed();
   if (*std::max_element(speeds.begin(), speeds.end()) > rattler_share * flow) return false;
   if (quantile(speeds, slow_majority) > rest_speed_share * flow) return false;
   std::vector<double> forces;

@@ -11,7 +11,7 @@ namespace clogflow {
 ///   the flow
 ///             and the body force
 ///   inlet     no room for a particle in any attempt of the last Stokes time
-///   drive     neither fluctuation nor pulsation, friction on
+///   drive     neither fluctuation nor pulsation, and no oscillation to come; friction on
 /// In a pack at rest speeds fall exponentially, from a thousandth of the flow's to rounding within a few tau, so
 /// what is that slow has stopped. A rattler may still creep through its cage; it carries no load. Neglects that a
 /// later particle finds room at the inlet after all and adds its drag to the column: with the walls' friction a

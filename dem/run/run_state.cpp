@@ -45,6 +45,7 @@ const char* RunState::damaged_part() const {
   if (!lists.valid(count())) return "contacts";
   if (!fluid.strips().valid() || !fluid.local().valid()) return "porosity";
   if (!fluid.noise().valid()) return "random factors on the flow";
+  if (!fluid.drive().valid()) return "flow";
   if (!inlet.valid()) return "inlet";
   if (!finite_from_zero(next_insertion, next_porosity, particle_steps) || !energy.valid() || !computing_time.valid())
     return "clocks or energies";

@@ -52,6 +52,8 @@ struct RunState {
   bool loads_are_clear = false;
 
   double time() const { return clock.time(); }
+  /// Of waits and durations, which count in what the flow carries: the run's own where the flow is steady [s]
+  double flow_time() const { return fluid.drive().flow_time(time()); }
   std::size_t count() const { return particles.size(); }
   double largest_overlap() const {  ///< [m]
     return std::max(pair_tally.largest_overlap, wall_tally.largest_overlap);

@@ -30,6 +30,7 @@ private:
   template <class Archive>
   void exchange(Archive& archive) {
     archive(state_, recorder_);
+    if (state_.fluid.drive().on()) archive(recorder_.data.series.flow_factor, recorder_.data.series.pressure_drop);
   }
 
   RunState& state_;

@@ -81,6 +81,7 @@ void Simulation::begin_run() {
   state_.clock.restart();
   state_.next_insertion = state_.next_porosity = 0;
   state_.inlet.restart_clock();
+  state_.fluid.drive().restart();
   state_.energy.restart();
   state_.clog_watch = ClogWatch(model_.scene);
   state_.supply_watch = SupplyWatch(model_.scene);
@@ -104,15 +105,20 @@ void Simulation::compute_forces() {
 }
 
 void Simulation::record() {
-  const auto clog = [&] { return clog_state(particles(), model_.scene); };
+  const double now = state_.flow_time();
+  const auto clog = [&] {
+    ClogState near = clog_state(particles(), model_.scene);
+    near.quantile_speed = state_.fluid.drive().in_mean_flow(near.quantile_speed);
+    return near;
+  };
   const auto proved = [&] { return rests_for_good(state_); };
   using Action = ClogWatch::Action;
-  const Action action = state_.clog_watch.act(time(), state_.gone(), clog, proved);
+  const Action action = state_.clog_watch.act(now, state_.gone(), clog, proved);
   if (action == Action::friction_off || action == Action::poke) recorder_.begin_release(state_);
   if (action == Action::friction_on || action == Action::poke) recorder_.end_release(state_);
   if (action == Action::stop) recorder_.stop(state_);
   const auto packing = [&] { return 1 - state_.fluid.strips().upstream_porosity().back(); };
-  if (state_.supply_watch.drains(time(), packing)) recorder_.drained(state_);
+  if (state_.supply_watch.drains(now, packing)) recorder_.drained(state_);
   recorder_.look(state_);
 }
 
@@ -125,7 +131,9 @@ void Simulation::advance() {
   state_.energy.drag_work += tally.drag_work;
   state_.energy.body_work += tally.body_work;
   state_.particle_steps += static_cast<double>(state_.count());
+  state_.fluid.drive().advance(state_.clock.dt());
   state_.clock.advance();
+  if (state_.fluid.drive().reverses()) recorder_.take_back(state_);
   // Particles that were put beyond the plane, or are numbered anew, come with new lists.
   if (state_.filling.is_done() && (tally.crossed || state_.lists.renumbered())) recorder_.find_passages(state_);
   state_.lists.moved(tally.largest_speed * state_.clock.dt());

@@ -41,8 +41,8 @@ bool is_mixture(const Scene& s) { return s.drag.velocity == DragVelocity::mixtur
 
 double expected_overlap(const StepScene& asked, const Particle& sphere, const std::vector<Particle>& initial) {
   const Scene& s = asked.scene;
-  const double d = 2 * sphere.radius, v = s.flow_speed();
-  double impact = v > 0 ? collision_speed_share * v : 0;
+  const double d = 2 * sphere.radius, v = asked.factors.load * s.flow_speed();
+  double impact = asked.factors.fastest * collision_speed_share * s.flow_speed();
   for (const Particle& p : initial) impact = std::max(impact, p.velocity().norm());
   const double weight = sphere.mass * weight_per_mass(s, Vec3(s.gravity.data()).norm());
   double load = arch_load * (Vec3(s.body_force.data()).norm() + std::abs(weight));
@@ -54,10 +54,11 @@ double expected_overlap(const StepScene& asked, const Particle& sphere, const st
 }
 
 /// Whether the dry restitution does not matter, as clog plan has it: St of a collision below 10.
-bool films_brake(const Scene& s, double diameter) {
+bool films_brake(const StepScene& asked, double diameter) {
+  const Scene& s = asked.scene;
   const SphereInFluid sphere{diameter, s.particles.density, s.fluid.density, s.fluid.viscosity};
   return s.lubrication.enabled && s.flow_speed() > 0 &&
-         collision_stokes_number(sphere, collision_speed_share * s.flow_speed()) < 10;
+         collision_stokes_number(sphere, asked.factors.fastest * collision_speed_share * s.flow_speed()) < 10;
 }
 
 /// Two equal spheres that meet along their normal.
@@ -69,13 +70,15 @@ double impact_limit(const Laws& laws, const Particle& sphere, double overlap) {
 }
 
 /// The fastest that the flow or the start makes of any particle [m/s].
-double fastest_way(const Scene& s, const std::vector<Particle>& initial) {
+double fastest_way(const StepScene& asked, const std::vector<Particle>& initial) {
+  const Scene& s = asked.scene;
   double speed = 0;
   for (const Particle& p : initial) speed = std::max(speed, p.velocity().norm());
   if (!s.drag.enabled) return speed;
   const double f = is_mixture(s) ? 1 : narrowed(s);
   const bool channel = s.geometry.present && s.flow.mean_velocity > 0;
-  return std::max(speed, f * (channel ? neck_mean_velocity(s.geometry, s.flow.mean_velocity) : s.flow_speed()));
+  return std::max(speed, asked.factors.fastest * f *
+                             (channel ? neck_mean_velocity(s.geometry, s.flow.mean_velocity) : s.flow_speed()));
 }
 
 /// A sphere between two walls' worth of contacts: one wall and five neighbours along the axes, the densest
@@ -112,7 +115,7 @@ StepLimits expected_limits(const StepScene& asked, const std::vector<Particle>& 
     limits.rayleigh_time =
         rayleigh_time(sphere.radius, s.particles.density * s.time.mass_scale, shear, s.contact.poisson_ratio);
   limits.drag = limits.lubrication = limits.contacts = infinite;
-  limits.passing = d / fastest_way(s, initial);
+  limits.passing = d / fastest_way(asked, initial);
   if (s.drag.enabled && s.time.integrator == Integrator::verlet)
     limits.drag = stable_step(
         0, (is_mixture(s) ? narrowed(s) : 1) * voidage(s) * stokes_coefficient(s.fluid.viscosity, d) / sphere.mass);
@@ -130,7 +133,7 @@ StepLimits expected_limits(const StepScene& asked, const std::vector<Particle>& 
     limits.contacts = pack_limit(asked, sphere, overlap);
     limits.impact = impact_limit(asked.laws, sphere, overlap);
   }
-  limits.films_brake = films_brake(s, d);
+  limits.films_brake = films_brake(asked, d);
   return limits;
 }
 

@@ -30,12 +30,18 @@ struct StepLimits {
   double smallest() const;
 };
 
+/// Largest factors on V0 that a drive of the flow gives: to moving particles, and to those that stand [-].
+struct FlowFactors {
+  double fastest = 1, load = 1;
+};
+
 /// What limits are asked of.
 struct StepScene {
   const Scene& scene;
   const Laws& laws;
   double contact_time;  ///< tau_Hertz; 0: nothing moves [s]
   bool has_walls;
+  FlowFactors factors = {};
 };
 
 /// A step, the scene's key that decides it, and whether one above its limit is warned of only.

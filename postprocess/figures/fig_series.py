@@ -1,4 +1,5 @@
-"""How the channel fills and stays full: number of particles, packing fraction, porosity of the strips."""
+"""How the channel fills and stays full: number of particles, packing fraction, porosity of the strips; and how the flow
+is driven, where it is not steady."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -6,6 +7,9 @@ import numpy as np
 import run_file
 import style
 from stats_files import suffix
+
+
+DRIVE = (("flow_factor", "flow $q$ [1]"), ("pressure_drop", "pressure drop [Pa]"))
 
 
 def draw_lines(axes, runs, column, colour):
@@ -41,7 +45,9 @@ def draw(group, folder, name):
     runs = [run for run in runs if len(run["time"]) > 1]
     for run in runs:
         run["time"] = run["time"] / group["tau"]
-    figure, panels = plt.subplots(3, 1, figsize=(style.PAGE, 5.2), sharex=True)
+    driven = [(column, label) for column, label in DRIVE if runs and all(column in run for run in runs)]
+    rows = 3 + len(driven)
+    figure, panels = plt.subplots(rows, 1, figsize=(style.PAGE, 5.2 / 3 * rows), sharex=True)
     for axes, column, label in ((panels[0], "count", "particles [1]"), (panels[1], "packing_fraction", "packing fraction [1]")):
         if runs:
             draw_lines(axes, runs, column, style.BLUE)
@@ -50,8 +56,11 @@ def draw(group, folder, name):
         axes.set_ylabel(label)
     draw_porosity(panels[2], runs)
     panels[2].set_ylabel(r"porosity $\epsilon$ [1]")
-    panels[2].set_xlabel(r"time $t/\tau$ [1]")
-    panels[2].margins(x=0)
+    for axes, (column, label) in zip(panels[3:], driven):
+        draw_lines(axes, runs, column, style.BLUE)
+        axes.set_ylabel(label)
+    panels[-1].set_xlabel(r"time $t/\tau$ [1]")
+    panels[-1].margins(x=0)
     panels[0].set_title(f"{style.plain(group['label'])}   (thin: {len(runs)} seeds, thick: mean)")
     figure.align_ylabels()
     return style.save(figure, folder, name)

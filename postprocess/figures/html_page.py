@@ -26,7 +26,7 @@ CAPTIONS = {
               "b: arrests that survive a time (Kaplan-Meier with standard error; arrests cut by a release or by the end of the run are censored). "
               "In a sweep, c: exponent of the arrests with its 95 % interval; open: releases cut the arrests, not fitted; a triangle hangs "
               "on an upper bound; dotted: α = 2; dashed: fitted law.",
-    "series": "Number of particles in the domain, packing fraction of the channel and porosity of the strips.",
+    "series": "Number of particles in the domain, packing fraction of the channel and porosity of the strips; the factor q on the flow, and the pressure that drives it, where it is not steady.",
 }
 
 

@@ -28,9 +28,10 @@ def read_events(path):
 
 
 def read_series(path):
-    """Columns of the time series; porosity is [sample][strip]."""
+    """Columns of the time series; porosity is [sample][strip]. Those of a flow that is not steady are there if it is not."""
+    always, driven = ("time", "count", "packing_fraction", "porosity"), ("flow_factor", "pressure_drop")
     with h5py.File(path, "r") as file:
-        return {name: file[f"series/{name}"][:] for name in ("time", "count", "packing_fraction", "porosity")}
+        return {name: file[f"series/{name}"][:] for name in always + driven if name in always or name in file["series"]}
 
 
 def snapshot_times(path):

@@ -18,6 +18,7 @@ clog_tests(test_dem_parts
   LIBRARIES clog_dem LABELS unit)
 clog_tests(test_fluid_parts
   SOURCES dem/fluid/test_flow_field.cpp dem/fluid/test_local_porosity.cpp dem/fluid/test_drag_readings.cpp
+          dem/fluid/test_oscillation.cpp
   LIBRARIES clog_dem LABELS unit)
 clog_tests(test_channel_parts
   SOURCES dem/run/test_inlet.cpp dem/run/test_refusals.cpp dem/stability/test_shaking.cpp dem/stability/test_step_limit.cpp
@@ -26,7 +27,7 @@ clog_tests(test_channel_parts
   LIBRARIES clog_dem LABELS unit)
 clog_tests(test_channel_runs
   SOURCES dem/run/test_channel_runs.cpp dem/run/test_full_inlet.cpp dem/run/test_rest_proof.cpp
-          dem/run/test_similarity.cpp
+          dem/run/test_similarity.cpp dem/run/test_driven_flow.cpp
   LIBRARIES clog_dem LABELS slow)
 clog_tests(test_ensemble
   SOURCES ensemble/test_ensemble.cpp

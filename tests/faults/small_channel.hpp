@@ -15,11 +15,11 @@ inline Scene small_channel(Overrides more = {}) {
   return short_channel_scene(overrides);
 }
 
-/// All that a run recorded, bit by bit; its record (wall time, host) is no result.
+/// All that a run recorded, bit by bit, what a saved state keeps apart too; its record (wall time, host) is no result.
 inline std::string result_bytes(RunData run) {
   run.record = {};
   ArchiveWriter archive;
-  archive(run);
+  archive(run, run.series.flow_factor, run.series.pressure_drop);
   return archive.bytes();
 }
 

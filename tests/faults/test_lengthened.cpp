@@ -110,6 +110,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"Noise",
                          {"drag.fluctuation.strength=0.8", "drag.fluctuation.time=0.5 ms",
                           "flow.pulsation.strength=0.3", "flow.pulsation.time=1 ms"}},
+                    Case{"Compliance",
+                         {"flow.compliance=1e-14 m3/Pa", "drag.velocity=mixture", "time.integrator=implicit_drag"}},
                     Case{"ShareOfTheLimit",
                          {"time.step_fraction=1", "time.contact_limit_share=0.3", "output.snapshot_interval=0 s"}}),
     [](const auto& info) { return info.param.name; });

@@ -169,6 +169,16 @@ SCENES = {
         later=True),
     "channel_mixture": Scene("the mixture's rate, the neck a strip of its own", channel(
         drag__velocity='"mixture"', porosity__neck="true", time__end='"8 ms"'), "straight", later=True),
+    "channel_oscillation": Scene("a flow that oscillates, an inflow of a given concentration", channel(
+        flow__oscillation__amplitude=0.8, flow__oscillation__frequency='"200 Hz"', flow__oscillation__phase=0.25,
+        inlet__start='"empty"', inlet__concentration=0.1, unclog__protocol='"none"', unclog__after=None,
+        unclog__duration=None, time__end='"40 ms"'), "straight", later=True),
+    "channel_pressure": Scene("a pressure drives the flow, pulsating", channel(
+        flow__drive='"pressure"', flow__pressure_drop='"200 Pa"', drag__velocity='"mixture"',
+        time__integrator='"implicit_drag"', drag__viscous_torque="true", flow__pulsation__strength=0.2,
+        flow__pulsation__time='"2 ms"', time__end='"8 ms"'), "straight", later=True),
+    "channel_compliance": Scene("a pump behind a soft tube, explicit drag", channel(
+        flow__compliance='"1e-14 m3/Pa"', drag__velocity='"mixture"', time__end='"8 ms"'), "straight", later=True),
     "channel_small": Scene("small spheres, many neighbours, dry", channel(
         particles__diameter='"22 um"', lubrication__enabled="false", time__end='"5 ms"'), "straight"),
     "stepped": Scene("other corners: two narrowings, an expansion", channel(**STEPPED), "stepped"),

@@ -159,7 +159,7 @@ TEST(Fidelity, APresetBecomesKeysAndTheCommandLineWins) {
     for (const Measured& setting : measured_settings().settings) {
       if (setting.name != presets.at(name)) continue;
       Overrides keys = setting.overrides;
-      keys.push_back("time.mass_scale=7");
+      keys.emplace_back("time.mass_scale=7");
       EXPECT_EQ(effective_scene(resolved.scene), effective_scene(read_scene(paper, keys)));
     }
   }

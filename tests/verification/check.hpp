@@ -42,6 +42,8 @@ Group spinning_on_heavy_sphere();  // 8
 Group sliding_and_rolling();
 Group fluid_closed_forms();
 Group gravity();
+Group pulsating_flow();
+Group pressure_drive();
 Group sizes();
 
 // Invariants.

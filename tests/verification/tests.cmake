@@ -5,6 +5,7 @@ add_library(clog_verification OBJECT
   verification/chung_ooi_normal.cpp
   verification/chung_ooi_oblique.cpp
   verification/closed_forms.cpp
+  verification/drive.cpp
   verification/gravity.cpp
   verification/convergence.cpp
   verification/energy.cpp

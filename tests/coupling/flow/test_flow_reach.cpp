@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include "coupling/flow/channel_drop.hpp"
 #include "coupling/flow/flow_reach.hpp"
 #include "coupling/flow/straight_flux.hpp"
 #include "coupling/geometry/channel_shape.hpp"
@@ -105,6 +106,25 @@ TEST(StraightFlux, TakesTheWaverOutBeforeTheNarrowingAndNothingBehind) {
   }
   FlowGrid wrong = wavering_flow(scene, 0.2);
   EXPECT_THAT(refusal([&] { restore_flow_rate(wrong, scene); }), testing::HasSubstr("the flux through x = "));
+}
+
+// 400 and 100 um by 100 um: f Re = 72.93 and 56.92 (Shah and London) on hydraulic diameters of 160 and 100 um.
+TEST(ChannelDrop, EstimatesTheDucts) {
+  const Scene scene = flow_scene({"geometry.channel_length=2.5 mm", "geometry.neck_length=1 mm"});
+  const double wide = 72.93 / 2 / (160e-6 * 160e-6) * 1.8e-3 * 5e-3 * 2.5e-3,
+               neck = 56.92 / 2 / (100e-6 * 100e-6) * 1.8e-3 * 20e-3 * 1e-3;
+  // The narrowing, 87 um long, has between one and the other.
+  EXPECT_GT(*estimated_pressure_drop(scene), wide + neck);
+  EXPECT_LT(*estimated_pressure_drop(scene), wide + 1.087 * neck);
+}
+
+TEST(ChannelDrop, OfAFileThatDoesNotTellIsRefused) {
+  const Scene scene = flow_scene({"flow.compliance=1e-15 m3/Pa", "drag.velocity=mixture", "drag.enabled=true"});
+  FlowGrid flow;
+  EXPECT_THAT(refusal([&] { solved_pressure_drop(flow, scene); }),
+              testing::HasSubstr("flow.compliance (needs the pressure drop of the empty channel"));
+  flow.record.pressure_drop = 20.0;
+  EXPECT_EQ(solved_pressure_drop(flow, scene), *channel_pressure_drop(flow, scene));
 }
 
 // A channel ten times as long as it is wide adds what a duct adds.

@@ -36,6 +36,13 @@ TEST(FlowRescale, ScalesAndTellsTheError) {
   EXPECT_DOUBLE_EQ(rescaled_flow(solved({}), scene).error, 0);
 }
 
+TEST(FlowRescale, ScalesThePressureDrop) {
+  FlowGrid slow = solved({"flow.mean_velocity=10 um/s"});
+  slow.record.pressure_drop = 0.04;
+  const Scene scene = flow_scene({"flow.rescale=true", "fluid.viscosity=3.6e-3 Pa s"});
+  EXPECT_DOUBLE_EQ(*rescaled_flow(slow, scene).grid.record.pressure_drop, 0.04 * 500 * 2);
+}
+
 TEST(FlowRescale, NeedsTheSameChannelAndSlowFlow) {
   const auto refused = [](const Overrides& file, const Overrides& scene) {
     return refusal([&] { rescaled_flow(solved(file), flow_scene(scene)); });

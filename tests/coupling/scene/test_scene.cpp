@@ -131,6 +131,11 @@ TEST(Scene, EffectiveTextIsReadBackToItself) {
       parse_scene(channel, "scene",
                   {"flow.pulsation.strength=1", "flow.pulsation.time=1 ms", "drag.fluctuation.strength=1",
                    "drag.fluctuation.time=1 ms", "fidelity.preset=fast", "ensemble.seeds=[3, 4, 9]"}),
+      parse_scene(channel, "scene",
+                  {"flow.drive=pressure", "flow.pressure_drop=1 mbar", "drag.velocity=mixture",
+                   "flow.oscillation.amplitude=0.3", "flow.oscillation.frequency=2 Hz", "flow.oscillation.phase=0.25",
+                   "flow.oscillation.shape=square"}),
+      parse_scene(channel, "scene", {"flow.compliance=10 uL/bar", "drag.velocity=mixture"}),
   };
   for (const Scene& scene : scenes) {
     const std::string text = effective_scene(scene);
@@ -180,6 +185,20 @@ TEST(Scene, FlowInputsAreOnlyWhatDecidesTheFlow) {
             flow_inputs(parse_scene(channel, "other",
                                     {"particles.diameter=22 um", "flow.lookup=trilinear", "drag.enabled=false"})));
   EXPECT_NE(inputs, flow_inputs(parse_scene(channel, "scene", {"fluid.viscosity=1 mPa s"})));
+}
+
+TEST(Scene, AFlowRateIsAMeanVelocity) {
+  // 12 uL/min = 2e-10 m3/s over 400 um times 100 um
+  const Scene scene = parse_scene(channel, "scene", {"flow.rate=12 uL/min"});
+  EXPECT_DOUBLE_EQ(scene.flow.mean_velocity, 5e-3);
+  EXPECT_EQ(scene.flow.rate, 0);
+  EXPECT_EQ(effective_scene(parse_scene(effective_scene(scene), "again")), effective_scene(scene));
+  const std::string by_rate = std::regex_replace(channel, std::regex("mean_velocity = [^\n]*"), "rate = \"24 uL/min\"");
+  EXPECT_DOUBLE_EQ(parse_scene(by_rate, "scene").flow.mean_velocity, 10e-3);
+  EXPECT_DOUBLE_EQ(parse_scene(by_rate, "scene", {"flow.mean_velocity=7 mm/s"}).flow.mean_velocity, 7e-3);
+  EXPECT_DOUBLE_EQ(
+      parse_scene(by_rate, "scene", {"geometry.neck_height=50 um", "particles.diameter=30 um"}).flow.mean_velocity,
+      20e-3);
 }
 
 TEST(Scene, SpacingOfTheGridFromATolerance) {

@@ -101,6 +101,19 @@ TEST(SceneRefusals, OfValuesThatDisagree) {
       {"flow.grid_spacing=50 um", "(must be at most a quarter of geometry.neck_width"},
       {"flow.pulsation.strength=1", "(needs flow.pulsation.time"},
       {"drag.fluctuation.strength=1", "(needs drag.fluctuation.time"},
+      {"flow.rate=0 m3/s", "(must be > 0)"},
+      {"flow.rate=1 mm/s", "(a velocity, but a flow rate is needed, e.g. \"10 uL/min\")"},
+      {"flow.compliance=1 m3", "(a quantity in m3, but a compliance is needed, e.g. \"1e-15 m3/Pa\")"},
+      {"flow.pressure_drop=1 Pa", "flow.pressure_drop = \"1 Pa\" (is only for flow.drive = \"pressure\")"},
+      {"flow.drive=pressure", "flow.pressure_drop is missing (a pressure, e.g. \"100 Pa\""},
+      {"flow.drive=syringe", "(must be \"rate\" or \"pressure\")"},
+      {"flow.compliance=1e-15 m3/Pa", "flow.compliance = \"1e-15 m3/Pa\" (a pressure balance keeps the mixture's rate"},
+      {"flow.oscillation.amplitude=0.5", "flow.oscillation.amplitude = 0.5 (needs flow.oscillation.frequency"},
+      {"flow.oscillation.amplitude=0", "(must be > 0)"},
+      {"flow.oscillation.phase=1", "(must be in (0, 1))"},
+      {"flow.oscillation.frequency=5 Hz", "flow.oscillation.frequency = \"5 Hz\" (needs flow.oscillation.amplitude"},
+      {"flow.oscillation.shape=square", "flow.oscillation.shape = \"square\" (needs flow.oscillation.amplitude"},
+      {"flow.oscillation.shape=saw", "(must be \"sine\" or \"square\")"},
       {"time.step=2 s", "(must not exceed time.end"},
   };
   for (const auto& [override, reason] : cases) {
@@ -143,6 +156,32 @@ TEST(SceneRefusals, OfKeysWithoutTheirProtocol) {
   for (const auto& [overrides, reason] : cases) EXPECT_THAT(refused(channel, overrides), HasSubstr(reason));
 }
 
+TEST(SceneRefusals, OfDrivesThatDisagree) {
+  const auto with_drive = [](const Overrides& more) {
+    Overrides all = {"flow.drive=pressure", "flow.pressure_drop=100 Pa", "drag.velocity=mixture"};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  EXPECT_NO_THROW(parse_scene(channel, "scenes/x.toml", with_drive({})));
+  const std::pair<Overrides, const char*> cases[] = {
+      {{"flow.compliance=1e-15 m3/Pa"}, "(lies behind a pump of constant rate"},
+      {{"flow.pressure_drop=0 Pa"}, "(must be > 0)"},
+      {{"drag.velocity=interstitial"}, "flow.drive = \"pressure\" (a pressure balance keeps the mixture's rate"},
+      {{"drag.enabled=false"}, "(a pressure balance keeps the mixture's rate"},
+      {{"drag.law=beetstra"}, "set drag.law = \"hoef\""},
+      {{"drag.fluctuation.strength=1", "drag.fluctuation.time=1 ms"}, "leave out drag.fluctuation"},
+      {{"time.integrator=implicit_fluid"}, "set time.integrator = \"implicit_drag\""},
+      {{"flow.source=uniform"}, "(needs flow.source = \"openfoam\", whose channel resists)"},
+  };
+  for (const auto& [overrides, reason] : cases) EXPECT_THAT(refused(channel, with_drive(overrides)), HasSubstr(reason));
+  EXPECT_THAT(refused(channel, {"flow.rate=10 uL/min", "flow.mean_velocity=5 mm/s"}),
+              HasSubstr("flow.rate = \"10 uL/min\" (flow.mean_velocity is given too: choose one)"));
+  EXPECT_THAT(refused(with("mean_velocity = \"5 mm/s\"", "mean_velocity = \"5 mm/s\"\nrate = \"10 uL/min\"")),
+              HasSubstr("scenes/x.toml:10: flow.rate = \"10 uL/min\" (flow.mean_velocity is given too"));
+  EXPECT_THAT(refused(laboratory, {"flow.rate=1 mL/h"}),
+              HasSubstr("flow.rate = \"1 mL/h\" (needs a [geometry] with neck_width"));
+}
+
 TEST(SceneRefusals, OfPorositiesThatDisagree) {
   EXPECT_THAT(refused(channel, {"porosity.width=50 um"}),
               HasSubstr("porosity.width = \"50 um\" (is only for porosity.method = \"local\")"));
@@ -168,6 +207,11 @@ TEST(SceneRefusals, OfALaboratoryThatDisagrees) {
   EXPECT_THAT(refused(laboratory, {"flow.source=uniform"}), HasSubstr("flow.velocity is missing"));
   EXPECT_THAT(refused(laboratory, {"flow.rescale=true"}), HasSubstr("(is only for flow.source = \"openfoam\")"));
   EXPECT_THAT(refused(laboratory, {"flow.extrapolate=true"}), HasSubstr("(is only for flow.source = \"openfoam\")"));
+  EXPECT_THAT(refused(laboratory, {"flow.oscillation.amplitude=1", "flow.oscillation.frequency=1 Hz"}),
+              HasSubstr("(there is no flow to oscillate)"));
+  EXPECT_THAT(refused(channel, {"flow.oscillation.amplitude=1", "flow.oscillation.frequency=1 Hz",
+                                "flow.oscillation.table=ramp.csv"}),
+              HasSubstr("flow.oscillation.table = \"ramp.csv\" (stands in the place of flow.oscillation.amplitude"));
   EXPECT_THAT(refused(laboratory, {"flow.pulsation.strength=1", "flow.pulsation.time=1 s"}),
               HasSubstr("(there is no flow to pulsate)"));
   EXPECT_THAT(refused(laboratory, {"drag.fluctuation.strength=1", "drag.fluctuation.time=1 s", "drag.enabled=false"}),

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "coupling/files/flow_grid.hpp"
+#include "coupling/flow/channel_drop.hpp"
 #include "coupling/geometry/channel_geometry.hpp"
 #include "coupling/geometry/channel_shape.hpp"
 #include "coupling/scene/scene.hpp"
@@ -42,6 +43,7 @@ inline FlowGrid synthetic_flow(const Scene& scene) {
         grid.velocity[3 * at] = static_cast<float>(speed);
         grid.velocity[3 * at + 1] = static_cast<float>(speed * slope * y / width);
       }
+  grid.record.pressure_drop = estimated_pressure_drop(scene);
   return grid;
 }
 

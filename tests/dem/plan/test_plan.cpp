@@ -102,6 +102,46 @@ TEST(Plan, WarnsOfWhatIsMissing) {
   EXPECT_THAT(warnings(make_plan(cheap_paper_scene({"time.step_fraction=0.5"}))), Contains(HasSubstr("is unstable")));
 }
 
+TEST(Dimensionless, Womersley) {
+  // 50 um sqrt(2 pi / 6.6 ms x 1062 / 1.8e-3) = 5e-5 sqrt(5.6168e8); 3.6e-3 / (pi 1062 1e-8)
+  EXPECT_NEAR(womersley_number({1062, 1.8e-3}, 1 / 6.6e-3, 1e-4), 1.18498, 1e-4);
+  EXPECT_NEAR(quasi_steady_until({1062, 1.8e-3}, 1e-4), 107.90, 0.01);
+}
+
+TEST(Plan, SaysWhatAnOscillationCanChange) {
+  const auto plan = [](Overrides more) {
+    more.insert(more.begin(), {"flow.oscillation.amplitude=0.5", "unclog.protocol=none"});
+    return make_plan(cheap_paper_scene(more));
+  };
+  const Plan slow = plan({"flow.oscillation.frequency=10 Hz"});
+  EXPECT_NEAR(term_named(slow, "inertia of an unsteady flow").value, 0.3044, 1e-3);
+  EXPECT_THAT(slow.drive_notes, Contains(HasSubstr("a drive that never goes back cannot change which particles pass")));
+  EXPECT_THAT(warnings(slow), IsEmpty());
+  EXPECT_THAT(warnings(plan({"flow.oscillation.frequency=200 Hz"})),
+              Contains(HasSubstr("inertia of an unsteady flow is needed")));
+  const Overrides often = {"flow.oscillation.frequency=10 Hz"};
+  EXPECT_THAT(warnings(plan({often[0], "time.mass_scale=100"})),
+              Contains(HasSubstr("scaled mass would pretend that the drive matters: lower time.mass_scale")));
+  EXPECT_THAT(warnings(plan({often[0], "contact.youngs_modulus=0.4 MPa", "time.step_fraction=0.01"})),
+              Contains(HasSubstr("softness would pretend that the drive matters: raise contact.youngs_modulus")));
+  const Plan back = plan({often[0], "flow.oscillation.amplitude=1.5", "geometry.expansion_width=400 um"});
+  EXPECT_THAT(back.drive_notes, Contains(HasSubstr("the flow goes back")));
+  EXPECT_THAT(make_plan(cheap_paper_scene()).drive_notes, IsEmpty());
+}
+
+TEST(Plan, EstimatesThePressures) {
+  const Plan plan = make_plan(cheap_paper_scene(
+      {"flow.drive=pressure", "flow.pressure_drop=1 kPa", "drag.velocity=mixture", "time.integrator=implicit_drag"}));
+  // 1008 spheres of f(0.55) 3 pi eta d = 15.5 x 5.6e-7 over 0.55, 1.3 v / 4e-8 m2; f is 15.483.
+  const auto& balance = term_named(plan, "balance of pressures");
+  EXPECT_TRUE(balance.needed && balance.modelled);
+  const double pack = 1008 * 15.483 * 5.598e-7 / 0.55 * 1.3 * 5e-3 / 4e-8;
+  EXPECT_NEAR(balance.value * *estimated_pressure_drop(cheap_paper_scene()), pack, 0.01 * pack);
+  EXPECT_THAT(plan.drive_notes, Contains(HasSubstr("times the mean flow through the pack at rest")));
+  EXPECT_THAT(make_plan(cheap_paper_scene({"flow.compliance=1e-13 m3/Pa", "drag.velocity=mixture"})).drive_notes,
+              Contains(HasSubstr("flow.compliance relaxes in C (Delta p0 + pack)")));
+}
+
 TEST(Dimensionless, AdhesionOverDrag) {
   // 1.5 pi 1e-3 x 8.25e-6 = 3.8877e-8 N over 5.5983e-7 x 5e-3 = 2.79915e-9 N
   EXPECT_NEAR(adhesion_number(jkr_pull_off(1e-3, 8.25e-6), paper, 5e-3), 13.889, 1e-3);

@@ -67,8 +67,8 @@ TEST(Inlet, KeepsToAConcentration) {
   Bench bench(short_channel_scene({"inlet.start=empty", "inlet.concentration=0.02"}));
   EXPECT_EQ(bench.inlet.insert(bench.particles, bench.fluid, bench.random, 0.0047), 1);
   EXPECT_EQ(bench.inlet.insert(bench.particles, bench.fluid, bench.random, 0.0093), 1);
-  EXPECT_FALSE(bench.inlet.waits(0.0094));
-  EXPECT_TRUE(bench.inlet.waits(0.0095));
+  EXPECT_FALSE(bench.inlet.waits(bench.fluid, 0.0094));
+  EXPECT_TRUE(bench.inlet.waits(bench.fluid, 0.0095));
 }
 
 TEST(Inlet, BringsParticlesWhereTheFlowIs) {
