@@ -45,6 +45,15 @@ void judge_pressures(const Scene& s, const FlowFactors& factors, Plan& plan) {
       "the mean flow takes about {:.3g} Pa through the empty channel, {:.3g} Pa more through a pack at rest "
       "that fills it (estimates: the flow file tells the first)",
       drops->channel, drops->pack));
+  // As if the channel's resistance alone had to move it: dem/fluid/pressure_balance.hpp.
+  const double together = (1 + drops->pack / drops->channel) * value_of(plan, "particle inertia");
+  plan.drive_notes.push_back(fmt::format(
+      "a pack responds to a change of pressure in (1 + pack / channel) m/c = {:.2g} Stokes times", together));
+  if (together > largest_inertia)
+    plan.drive_warnings.push_back(fmt::format(
+        "a pack responds to a change of pressure in {:.2g} Stokes times (more than {}: its scaled mass would "
+        "matter): lower time.mass_scale",
+        together, largest_inertia));
   const double resistance =
       (drops->channel + drops->pack) / (s.flow.mean_velocity * s.geometry.channel_width * s.geometry.neck_height);
   if (s.flow.compliance > 0)

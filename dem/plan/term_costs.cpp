@@ -17,6 +17,7 @@ std::vector<TermCost> term_costs(const Scene& scene) {
   if (scene.lubrication.enabled) costs.push_back({"lubrication", 122});
   if (scene.drag.enabled) costs.push_back({"drag", 43});
   if (scene.drag.fluctuation.strength > 0) costs.push_back({"random drag", 72});
+  if (scene.flow.balances()) costs.push_back({"balance of pressures", 66});
   return costs;
 }
 

@@ -81,6 +81,9 @@ std::vector<std::string> notes(const RunGroup& group, const GroupStatistics& num
   if (group.scene.flow.pulsation.strength > 0) notes.emplace_back("flow.pulsation is on");
   if (group.scene.flow.oscillation.on())
     notes.emplace_back("flow.oscillation is on: lapses and arrests are in time, slow flow lengthens them too");
+  if (group.scene.flow.balances())
+    notes.emplace_back(
+        "a balance of pressures drives the flow: lapses and arrests are in time, slow flow lengthens them too");
   if (clears_clogs(group.scene.unclog.protocol)) {
     notes.emplace_back(
         "clogs are ended by releases: arrests are censored, alpha describes only those that end by "

@@ -116,16 +116,16 @@ const char* longer_neck = "geometry.neck_length=200 um";
 
 INSTANTIATE_TEST_SUITE_P(
     Shapes, CoarseFlow,
-    testing::Values(Shape{"paper", {}}, Shape{"step", {"geometry.half_angle=90 deg"}},
-                    Shape{"gentle", {"geometry.half_angle=10 deg"}},
-                    Shape{"high_neck", {"geometry.neck_height=110 um"}},
-                    Shape{"narrow", {"geometry.channel_width=150 um"}},
-                    Shape{"duct", {"geometry.channel_width=100 um"}},
-                    Shape{"rounded", {"geometry.neck_rounding=50 um", longer_neck}},
-                    Shape{"expansion", {"geometry.expansion_width=300 um", longer_neck}},
-                    Shape{"two_steps", {"geometry.step_width=200 um", "geometry.step_length=150 um"}},
-                    Shape{"asymmetric", {"geometry.half_angle_below=30 deg"}},
-                    Shape{"one_sided", {"geometry.half_angle=90 deg", "geometry.half_angle_below=20 deg"}}),
+    testing::Values(
+        Shape{"paper", {}}, Shape{"step", {"geometry.half_angle=90 deg"}},
+        Shape{"gentle", {"geometry.half_angle=10 deg"}}, Shape{"high_neck", {"geometry.neck_height=110 um"}},
+        Shape{"narrow", {"geometry.channel_width=150 um"}}, Shape{"duct", {"geometry.channel_width=100 um"}},
+        Shape{"rounded", {"geometry.neck_rounding=50 um", longer_neck}},
+        Shape{"expansion", {"geometry.expansion_width=300 um", longer_neck}},
+        Shape{"long_expansion", {"geometry.expansion_width=300 um", "geometry.expansion_length=500 um", longer_neck}},
+        Shape{"two_steps", {"geometry.step_width=200 um", "geometry.step_length=150 um"}},
+        Shape{"asymmetric", {"geometry.half_angle_below=30 deg"}},
+        Shape{"one_sided", {"geometry.half_angle=90 deg", "geometry.half_angle_below=20 deg"}}),
     [](const auto& info) { return info.param.name; });
 
 // The whole width is meshed when the sides differ, here by nothing that matters: the flow is the
