@@ -66,6 +66,7 @@ public:
 private:
   const Model* model_;
   bool enabled_;
+  bool fits_round(const Vec3& place, double radius) const;
   bool carries(const Fluid& fluid, const Vec3& place, Random& random);
 
   double interval_ = 0, rate_;
