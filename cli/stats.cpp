@@ -66,12 +66,27 @@ void print_first_burst(const postprocess::GroupStatistics& group) {
                places.known);
 }
 
+/// Each neck of several alone: the lines above are of all together.
+void print_necks(const postprocess::RunGroup& group, const postprocess::GroupStatistics& numbers) {
+  const bool stops = group.scene.unclog.protocol == UnclogProtocol::stop;
+  for (std::size_t k = 0; k < numbers.necks.size(); ++k) {
+    const postprocess::GroupStatistics& neck = numbers.necks[k];
+    std::size_t passages = 0;
+    for (const postprocess::SeedRecord& record : group.necks[k]) passages += record.passages;
+    fmt::print("  neck {}: {} passages, <s> = {}, by T_min {}, {} arrests\n", k, passages,
+               stops ? known(neck.first_burst.mean.mean) : known(neck.of("mean_burst").whole),
+               known(neck.of("mean_burst_by_threshold").whole),
+               neck.lapses.arrests.passage + neck.lapses.arrests.release + neck.lapses.arrests.end_of_run);
+  }
+}
+
 void print_summary(const postprocess::Statistics& statistics) {
   for (std::size_t i = 0; i < statistics.groups.size(); ++i) {
     const auto& group = statistics.numbers[i];
     const UnclogProtocol protocol = statistics.groups[i].scene.unclog.protocol;
     if (protocol == UnclogProtocol::stop) {
       print_first_burst(group);
+      print_necks(statistics.groups[i], group);
       continue;
     }
     const bool by_release = clears_clogs(protocol);
@@ -82,6 +97,7 @@ void print_summary(const postprocess::Statistics& statistics) {
                with_interval(group, by_release ? "flow_rate_flowing" : "flow_rate"),
                by_release ? " while it flows" : "");
     print_verdicts(group);
+    print_necks(statistics.groups[i], group);
   }
 }
 

@@ -243,6 +243,7 @@ std::string si_unit(Dimension d) {
 QuantityWords quantity_words(Dimension d) {
   if (d == dimension::number) return {"a pure number", "0.6"};
   if (d == dimension::length) return {"a length", "33 um"};
+  if (d == dimension::area) return {"an area", "0.01 mm2"};
   if (d == dimension::time) return {"a time", "10 ms"};
   if (d == dimension::rate) return {"a rate", "50 1/s"};
   if (d == dimension::velocity) return {"a velocity", "5 mm/s"};

@@ -17,6 +17,7 @@ struct Dimension {
 namespace dimension {
 inline constexpr Dimension number{};
 inline constexpr Dimension length{1, 0, 0};
+inline constexpr Dimension area{2, 0, 0};
 inline constexpr Dimension time{0, 0, 1};
 inline constexpr Dimension rate{0, 0, -1};
 inline constexpr Dimension velocity{1, 0, -1};

@@ -78,6 +78,7 @@ bool cut_rows(RunData& run, const RunRows& rows) {
   for_each_column(run, [&](std::string_view group, const char*, auto& values, const char*) {
     values.resize(group == "/passages" ? rows.passages : group == "/releases" ? rows.releases : rows.series);
   });
+  run.passages.neck.clear();
   run.series.porosity.resize(rows.series);
   for_each_drive_column(run, [&](const char*, std::vector<double>& values, const char*) {
     if (!values.empty()) values.resize(rows.series);
@@ -102,6 +103,13 @@ std::string fault(const RunData& run) {
                           run.series.time.size());
   });
   if (!wrong.empty()) return wrong;
+  const auto& neck = run.passages.neck;
+  if (!neck.empty() && neck.size() != run.passages.time.size())
+    return fmt::format("/passages/neck has {} rows (the columns before it have {})", neck.size(),
+                       run.passages.time.size());
+  const std::int64_t necks = run.record.necks.value_or(1);
+  if (!std::ranges::all_of(neck, [&](std::int64_t k) { return k >= 0 && k < necks; }))
+    return fmt::format("/passages/neck names a neck beyond the {} of the record", necks);
   if (run.series.porosity.size() != run.series.time.size())
     return fmt::format("/series/porosity has {} rows (the other columns have {})", run.series.porosity.size(),
                        run.series.time.size());
@@ -208,6 +216,13 @@ std::vector<RunData::Snapshot> read_snapshots(const Hdf5Reader& in) {
   return snapshots;
 }
 
+/// Present where the plane has several openings.
+constexpr const char* neck_column = "/passages/neck";
+
+void read_necks(const Hdf5Reader& in, RunData& run) {
+  if (in.has(neck_column)) run.passages.neck = in.read<std::int64_t>(neck_column, "1").values;
+}
+
 }  // namespace
 
 void write_run_file(const RunData& run, const std::filesystem::path& file) {
@@ -217,6 +232,7 @@ void write_run_file(const RunData& run, const std::filesystem::path& file) {
   for_each_column(run, [&](const std::string& group, const char* column, const auto& values, const char* unit) {
     out.write(group + "/" + column, values, {.unit = unit, .shape = {}});
   });
+  if (!run.passages.neck.empty()) out.write(neck_column, run.passages.neck, {.unit = "1", .shape = {}});
   write_porosity(out, run.series.porosity);
   for_each_drive_column(run, [&](const std::string& column, const std::vector<double>& values, const char* unit) {
     if (!values.empty()) out.write("/series/" + column, values, {.unit = unit, .shape = {}});
@@ -257,6 +273,7 @@ RunData read_run_file(const std::filesystem::path& file) {
     in.check(array.shape.size() == 1, group + "/" + column + " is not a column");
     values = std::move(array.values);
   });
+  read_necks(in, run);
   run.series.porosity = read_porosity(in);
   for_each_drive_column(run, [&](const std::string& column, std::vector<double>& values, const char* unit) {
     if (in.has("/series/" + column)) values = in.read<double>("/series/" + column, unit).values;

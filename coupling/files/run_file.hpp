@@ -23,6 +23,7 @@ struct RunData {
     std::vector<std::int64_t> id;
     std::vector<double> y, z;                ///< where [m]
     std::vector<std::uint8_t> friction_off;  ///< 1: while a release held friction off
+    std::vector<std::int64_t> neck;          ///< which opening, in order of y; empty: there is one
   } passages;
 
   /// One row a release: friction was off in [off, on).

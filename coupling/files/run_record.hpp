@@ -43,6 +43,7 @@ struct RunRecord {
   std::optional<bool> clog_proved;                 ///< it is at rest for good; if not, it was waited for
   std::optional<double> clog_position;             ///< x of its most downstream particle [m]
   std::optional<double> drained_at;                ///< when the run ended because the neck was supplied no more [s]
+  std::optional<std::int64_t> necks;               ///< openings at passages.plane; absent: one [-]
   std::optional<std::int64_t> poked;               ///< particles that were taken out of arches [-]
   std::optional<std::int64_t> inserted;            ///< particles by the inlet [-]
   std::optional<std::int64_t> insertions_refused;  ///< attempts that found no room [-]
@@ -73,6 +74,7 @@ struct RunRecord {
                       RecordEntry{"clog_proved", "", &R::clog_proved},
                       RecordEntry{"clog_position_m", "m", &R::clog_position},
                       RecordEntry{"drained_at_s", "s", &R::drained_at},
+                      RecordEntry{"necks", "1", &R::necks},
                       RecordEntry{"poked", "1", &R::poked},
                       RecordEntry{"inserted", "1", &R::inserted},
                       RecordEntry{"insertions_refused", "1", &R::insertions_refused}};

@@ -44,7 +44,7 @@ double grid_flux(const FlowGrid& grid, int i) {
 }
 
 PlaneFlux grid_plane(const FlowGrid& grid, int i, const Scene& scene) {
-  const double rate = scene.flow.mean_velocity * scene.geometry.channel_width * scene.geometry.neck_height;
+  const double rate = channel_flow_rate(scene.geometry, scene.flow.mean_velocity);
   const double flux = grid_flux(grid, i);
   return {grid.origin.x + i * grid.spacing, flux, flux / rate - 1};
 }

@@ -36,7 +36,7 @@ double expected_reach(const Scene& scene, double tolerance) {
 }
 
 double measured_reach(const FlowGrid& flow, const Scene& scene, double tolerance) {
-  const DuctFlow duct(scene.geometry.channel_width, scene.geometry.neck_height);
+  const DuctFlow duct = DuctFlow::of_channel(scene.geometry);
   const double narrowing = -narrowing_length(scene.geometry);
   for (int i = 0; i < flow.points[0]; ++i)
     if (largest_difference(flow, scene, duct, i) > tolerance)

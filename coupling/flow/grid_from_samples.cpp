@@ -111,7 +111,7 @@ FlowGrid grid_from_samples(const Scene& scene, const FlowLattice& lattice, const
 FlowGrid stl_grid_from_samples(const Scene& scene, const FlowSpace& space, const FoamSamples& samples) {
   const FlowLattice& lattice = space.lattice;
   FlowGrid grid = empty_grid(lattice);
-  const DuctFlow duct(scene.geometry.channel_width, scene.geometry.neck_height);
+  const DuctFlow duct = DuctFlow::of_channel(scene.geometry);
   std::vector<double> heights;
   for (int k = 0; k < lattice.height; ++k) heights.push_back(lattice.coordinate(lattice.z_begin + k));
   std::size_t fluid = 0, lost = 0;

@@ -180,7 +180,14 @@ double neck_start(const Geometry& g) {
   return tangent_length(g.neck_rounding, std::max(g.half_angle, angle_below(g)));
 }
 
+double channel_flow_rate(const Geometry& g, double mean_velocity) {
+  return g.inlet_area > 0 ? mean_velocity * g.inlet_area : mean_velocity * g.channel_width * g.neck_height;
+}
+
+double neck_section(const Geometry& g) { return g.neck_area > 0 ? g.neck_area : g.neck_width * g.neck_height; }
+
 double neck_mean_velocity(const Geometry& geometry, double mean_velocity) {
+  if (geometry.neck_area > 0) return channel_flow_rate(geometry, mean_velocity) / geometry.neck_area;
   return mean_velocity * geometry.channel_width / geometry.neck_width;
 }
 

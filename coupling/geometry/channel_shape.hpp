@@ -78,6 +78,13 @@ double channel_end(const Geometry& geometry);
 /// x from which the neck has its width: 0, or the end of its rounded entrance [m].
 double neck_start(const Geometry& geometry);
 
+/// What the channel carries [m3/s].
+/// \param mean_velocity  over the inlet [m/s]
+double channel_flow_rate(const Geometry& geometry, double mean_velocity);
+
+/// Cross-section of the neck, or of all necks side by side [m2].
+double neck_section(const Geometry& geometry);
+
 /// Mean velocity in the neck: the channel's flow rate over the neck's cross-section [m/s].
 double neck_mean_velocity(const Geometry& geometry, double mean_velocity);
 

@@ -1,8 +1,10 @@
 #include "coupling/geometry/duct_flow.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "coupling/base/expect.hpp"
 #include "coupling/base/require.hpp"
 
 namespace clogflow {
@@ -38,7 +40,17 @@ DuctFlow::DuctFlow(double width, double height) : width_(width), height_(height)
   }
 }
 
+DuctFlow DuctFlow::of_channel(const Geometry& geometry) {
+  DuctFlow flow(geometry.channel_width, geometry.neck_height);
+  flow.radius_ = std::sqrt(geometry.inlet_area / pi);
+  return flow;
+}
+
 double DuctFlow::operator()(double y, double z) const {
+  if (radius_ > 0) {
+    const double r = std::hypot(y, z - height_ / 2) / radius_;
+    return std::max(0.0, 2 * (1 - r * r));
+  }
   if (std::abs(y) >= width_ / 2 || z <= 0 || z >= height_) return 0;
   // along: from the middle of the long side; across: from a wall of the narrow side
   const double along = turned_ ? z - height_ / 2 : y;
@@ -51,9 +63,13 @@ double DuctFlow::operator()(double y, double z) const {
   return sum / mean_;
 }
 
-double DuctFlow::resistance() const { return pi * pi / (narrow_ * narrow_ * mean_); }
+double DuctFlow::resistance() const {
+  if (radius_ > 0) return 8 / (radius_ * radius_);
+  return pi * pi / (narrow_ * narrow_ * mean_);
+}
 
 double DuctFlow::mean_over(const Rectangle& r) const {
+  expect(radius_ == 0);
   double along_min = r.y_min, along_max = r.y_max, across_min = r.z_min, across_max = r.z_max;
   if (turned_) {
     along_min = r.z_min - height_ / 2, along_max = r.z_max - height_ / 2;

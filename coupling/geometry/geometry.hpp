@@ -27,6 +27,9 @@ struct Geometry {
   std::string stl_content;      ///< content hash of the file of a channel; empty: not a channel
   double inlet_position = 0;    ///< x of the inlet of a channel from a file [m]; 0: none
   double outlet_position = 0;   ///< x of its outlet [m]; 0: none
+  double inlet_diameter = 0;    ///< of the largest circle within a round inlet [m]; 0: the inlet is a rectangle
+  double inlet_area = 0;        ///< of a round inlet [m2]; 0: a rectangle
+  double neck_area = 0;         ///< of all necks just behind x = 0 [m2]; 0: neck_width x neck_height
 };
 
 }  // namespace clogflow

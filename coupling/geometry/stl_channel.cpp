@@ -5,6 +5,8 @@
 #include <fstream>
 #include <iterator>
 #include <mutex>
+#include <numbers>
+#include <set>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -16,6 +18,7 @@
 #include "coupling/geometry/stl_openings.hpp"
 #include "coupling/geometry/stl_surface.hpp"
 #include "coupling/geometry/wall_edges.hpp"
+#include "coupling/geometry/wall_outlines.hpp"
 #include "coupling/geometry/wall_sections.hpp"
 
 namespace clogflow {
@@ -98,6 +101,28 @@ private:
                 file_, name, corner.x, x, name == std::string("inlet") ? "upstream end" : "downstream end");
   }
 
+  // Corners at one distance from the middle of the inlet, and the area of a regular polygon of them.
+  RoundInlet round_inlet(const Box& in) const {
+    const Vec2 middle((in.low.y + in.high.y) / 2, (in.low.z + in.high.z) / 2);
+    std::set<std::pair<double, double>> rim;
+    double radius = 0;
+    for (const Triangle& t : inlet_)
+      for (const Vec3& corner : t.corner) radius = std::max(radius, (Vec2(corner.y, corner.z) - middle).norm());
+    for (const Triangle& t : inlet_)
+      for (const Vec3& corner : t.corner)
+        if ((Vec2(corner.y, corner.z) - middle).norm() > (1 - 1e-3) * radius) rim.emplace(corner.y, corner.z);
+    const double turn = 2 * std::numbers::pi / static_cast<double>(rim.size());
+    constexpr std::size_t fewest_sides = 24;
+    const double regular = std::pow(radius, 2) * std::sin(turn) * std::numbers::pi / turn;
+    if (rim.size() < fewest_sides || std::abs(area(inlet_) / regular - 1) > 2e-3) return {};
+    return {2 * radius * std::cos(turn / 2), area(inlet_)};
+  }
+
+  static double width(const WallOutline& outline) {
+    const auto [low, high] = std::ranges::minmax(outline.corners, {}, [](const Vec2& corner) { return corner.x(); });
+    return high.x() - low.x();
+  }
+
   StlChannel measured(const Box& box) const {
     const double tolerance = std::max(same_length * (box.high.x - box.low.x), surface_.tolerance);
     require_flat(inlet_, "inlet", box.low.x, tolerance);
@@ -105,10 +130,11 @@ private:
     Box in;
     in.add(inlet_);
     const Vec3 size = in.high - in.low;
-    require(std::abs(area(inlet_) / (size.y * size.z) - 1) < 1e-4 && std::abs(in.low.y + in.high.y) < tolerance &&
-                std::abs(in.low.z) < tolerance,
+    const RoundInlet round = round_inlet(in);
+    require((round.diameter > 0 || std::abs(area(inlet_) / (size.y * size.z) - 1) < 1e-4) &&
+                std::abs(in.low.y + in.high.y) < tolerance && std::abs(in.low.z) < tolerance,
             "{}: the inlet fills {:.4g} of y from {:.4g} to {:.4g} m, z from {:.4g} to {:.4g} m (must be a whole "
-            "rectangle with y = 0 in its middle and z = 0 at its floor)",
+            "rectangle, or a circle of 24 or more equal sides, with y = 0 in its middle and z = 0 at its floor)",
             file_, area(inlet_) / (size.y * size.z), in.low.y, in.high.y, in.low.z, in.high.z);
     const double straight_end = straight_until(walls_);
     require(box.low.x < 0 && box.high.x > 0,
@@ -120,14 +146,21 @@ private:
             "place before the neck, x = 0: there particles enter and the flow is developed)",
             file_, straight_end, box.low.x);
     const double behind = 2 * tolerance;
+    const std::vector<WallOutline> necks = openings_at(walls_, behind);
+    const WallSection section = section_at(walls_, behind);
+    double widest = necks.size() > 1 ? 0 : section.width();
+    for (const WallOutline& neck : necks)
+      if (necks.size() > 1) widest = std::max(widest, width(neck));
     return {.walls = walls_,
             .inlet = box.low.x,
             .outlet = box.high.x,
             .width = size.y,
             .height = size.z,
             .straight_end = std::min(straight_end, 0.0),
-            .neck_width = section_at(walls_, behind).width(),
+            .neck_width = widest,
             .neck_length = neck_length(walls_, behind, box.high.x),
+            .round = round,
+            .neck_area = necks.size() > 1 || round.diameter > 0 ? section.area : 0,
             .note = {}};
   }
 

@@ -9,17 +9,25 @@
 
 namespace clogflow {
 
-/// The flow runs along x: the part `inlet` is a rectangle in the plane of the smallest x, |y| <=
+/// A round inlet: a polygon of many equal sides.
+struct RoundInlet {
+  double diameter = 0;  ///< of the largest circle in it [m]; 0: the inlet is a rectangle
+  double area = 0;      ///< [m2]
+};
+
+/// The flow runs along x: the part `inlet` is a rectangle or a circle in the plane of the smallest x, |y| <=
 /// width / 2 and 0 <= z <= height, behind which the walls stay straight for a while; the part
 /// `outlet` lies in the plane of the largest x; all other parts are walls. The neck's entrance is at
-/// x = 0.
+/// x = 0; there may be several side by side.
 struct StlChannel {
   Walls walls;           ///< normals into the fluid [m]
   double inlet, outlet;  ///< x [m]
   double width, height;  ///< of the inlet [m]
   double straight_end;   ///< x where the first wall leaves the direction of x [m]
-  double neck_width;     ///< y extent just behind x = 0 [m]
+  double neck_width;     ///< y extent just behind x = 0, of several necks of the widest [m]
   double neck_length;    ///< from x = 0 to where the section grows by 1 %, or to the outlet [m]
+  RoundInlet round;
+  double neck_area = 0;  ///< of all necks just behind x = 0, where neck_width x height is not it [m2]; else 0
   std::string note;      ///< one line on facets that are left out, or empty
 };
 

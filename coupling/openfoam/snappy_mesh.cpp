@@ -88,7 +88,7 @@ std::string surfaces(const SnappyMesh& mesh, const StlChannel& channel) {
 }
 
 std::string inlet_condition(const Scene& scene) {
-  const double rate = scene.flow.mean_velocity * scene.geometry.channel_width * scene.geometry.neck_height;
+  const double rate = channel_flow_rate(scene.geometry, scene.flow.mean_velocity);
   return fmt::format(
       "// Flow that no longer changes along x, with the rate given.\n"
       "type flowRateInletVelocity;\nvolumetricFlowRate {:.12g};  // [m3/s]\nextrapolateProfile yes;\n"

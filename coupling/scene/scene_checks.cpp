@@ -34,6 +34,9 @@ void check_walls(const SceneDraft& draft) {
             draft.says("geometry.neck_width"), metres(geometry.channel_width));
   for (const char* key : {"geometry.stl_unit", "geometry.stl_tolerance"})
     require(!draft.has(key) || !geometry.stl.empty(), "{} (needs geometry.stl too)", draft.says(key));
+  for (const char* key : {"geometry.inlet_diameter", "geometry.inlet_area", "geometry.neck_area"})
+    require(!draft.has(key) || is_stl_channel(geometry), "{} (is of a channel from geometry.stl: leave it out)",
+            draft.says(key));
   if (geometry.present && geometry.neck_width > 0 && geometry.stl.empty()) {
     for (const char* key : {"geometry.expansion_length", "geometry.expansion_angle"})
       require(!draft.has(key) || geometry.expansion_width > 0, "{} (needs geometry.expansion_width too)",

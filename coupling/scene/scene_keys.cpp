@@ -86,6 +86,9 @@ std::vector<Key> make_keys() {
       TEXT(geometry.stl_content, "content hash of the STL file of a channel; default: computed"),
       NUMBER(geometry.inlet_position, length, (Range{.high = 0, .high_allowed = false}), "x of the inlet of an STL channel; default: measured"),
       NUMBER(geometry.outlet_position, length, positive, "x of the outlet of an STL channel; default: measured"),
+      NUMBER(geometry.inlet_diameter, length, positive, "largest circle in a round inlet of an STL channel; default: measured, none in a rectangle"),
+      NUMBER(geometry.inlet_area, area, positive, "of a round inlet of an STL channel; default: measured, none of a rectangle"),
+      NUMBER(geometry.neck_area, area, positive, "of all necks together just behind x = 0, of an STL channel with a round inlet or several necks; default: measured"),
 
       VECTOR(box.min, length, "lower corner of plain walls around a laboratory scene"),
       VECTOR(box.max, length, "upper corner"),

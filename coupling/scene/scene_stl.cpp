@@ -1,6 +1,7 @@
 // What a scene takes from the STL file of its channel: measured where the file of the scene is silent,
 // compared where it is not.
 #include <cmath>
+#include <utility>
 
 #include "coupling/base/require.hpp"
 #include "coupling/geometry/stl_channel.hpp"
@@ -54,6 +55,10 @@ void measure_stl(SceneDraft& draft) {
   measure(draft, "geometry.inlet_position", channel.inlet);
   measure(draft, "geometry.outlet_position", channel.outlet);
   measure(draft, "geometry.neck_length", channel.neck_length);
+  for (const auto& [key, value] : {std::pair("geometry.inlet_diameter", channel.round.diameter),
+                                   {"geometry.inlet_area", channel.round.area},
+                                   {"geometry.neck_area", channel.neck_area}})
+    if (value > 0 || draft.has(key)) measure(draft, key, value);
 }
 
 }  // namespace clogflow

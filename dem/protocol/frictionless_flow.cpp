@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupling/geometry/channel_shape.hpp"
 #include "dem/physics/porosity.hpp"
 
 namespace clogflow {
@@ -13,7 +14,9 @@ namespace {
 constexpr double patience = 10, least_patience = 20;
 
 double solids(const Scene& s, double strain) {
-  return strain * s.geometry.neck_width * s.geometry.neck_width * s.geometry.neck_height;
+  const Geometry& g = s.geometry;
+  if (g.neck_area > 0) return strain * g.neck_width * g.neck_area;
+  return strain * g.neck_width * g.neck_width * g.neck_height;
 }
 
 }  // namespace
@@ -23,7 +26,7 @@ std::int64_t particles_of_strain(const Scene& s, double strain) {
 }
 
 double longest_flow(const Scene& s, double strain) {
-  const double rate = s.flow_speed() * s.geometry.channel_width * s.geometry.neck_height;
+  const double rate = channel_flow_rate(s.geometry, s.flow_speed());
   return patience * solids(s, strain) / rate + least_patience * s.stokes_time();
 }
 

@@ -46,8 +46,15 @@ Inlet::Inlet(const Model& model) : model_(&model), enabled_(model.scene.inlet.en
       Vec3(std::min(x + slab_depth * s.particles.diameter, -narrowing_length(s.geometry)), y, s.geometry.neck_height);
   interval_ = interval_share * s.stokes_time();
   if (s.inlet.concentration > 0)
-    rate_ = s.inlet.concentration * s.flow.mean_velocity * s.geometry.channel_width * s.geometry.neck_height /
+    rate_ = channel_flow_rate(s.geometry, s.inlet.concentration * s.flow.mean_velocity) /
             sphere_volume(s.particles.diameter / 2);
+}
+
+/// Whether a sphere lies within a round inlet; true in a rectangle, whose sides bound the places already.
+bool Inlet::fits_round(const Vec3& place, double radius) const {
+  const double diameter = model_->scene.geometry.inlet_diameter;
+  if (diameter == 0) return true;
+  return std::hypot(place.y, place.z - (low_.z + high_.z) / 2) <= diameter / 2 - radius;
 }
 
 /// Whether the flow would have brought a particle here rather than elsewhere.
@@ -74,7 +81,7 @@ int Inlet::insert(Particles& p, const Fluid& fluid, RandomStream& random, double
   for (int attempt = 0; attempt < attempts; ++attempt) {
     if (rate_ > 0 && static_cast<double>(fed_) >= rate_ * rated_time(fluid, time)) break;
     const Vec3 c = random_place(low_ + Vec3::Constant(r), high_ - Vec3::Constant(r), random);
-    if (!carries(fluid, c, random)) continue;
+    if (!fits_round(c, r) || !carries(fluid, c, random)) continue;
     const bool free = std::none_of(near.begin(), near.end(), [&](int i) {
       const double apart = r + p[i].radius;
       return (Vec3(p[i].x, p[i].y, p[i].z) - c).squaredNorm() < apart * apart;
@@ -102,7 +109,8 @@ void Inlet::scatter(Particles& p, RandomStream& random) {
   const double r = model_->scene.particles.diameter / 2;
   const double end = -narrowing_length(model_->scene.geometry);
   const Vec3 low = low_ + Vec3::Constant(r), high = Vec3(end, high_.y, high_.z) - Vec3::Constant(r);
-  const double volume = (end - low_.x) * (high_.y - low_.y) * (high_.z - low_.z);
+  const double section = model_->scene.geometry.inlet_area;
+  const double volume = (end - low_.x) * (section > 0 ? section : (high_.y - low_.y) * (high_.z - low_.z));
   const auto wanted = static_cast<std::int64_t>(scattered_packing * volume / sphere_volume(r));
   if ((high - low).minCoeff() <= 0) return;
   // Hash of cells one diameter wide: a sphere can only overlap those in the 27 cells around.
@@ -115,7 +123,7 @@ void Inlet::scatter(Particles& p, RandomStream& random) {
   for (std::int64_t attempt = 0; placed < wanted && attempt < attempts_per_scattered * wanted; ++attempt) {
     const Vec3 c = random_place(low, high, random);
     const int cx = cell(c.x, low.x), cy = cell(c.y, low.y), cz = cell(c.z, low.z);
-    bool free = true;
+    bool free = fits_round(c, r);
     for (int x = cx - 1; free && x <= cx + 1; ++x)
       for (int y = cy - 1; free && y <= cy + 1; ++y)
         for (int z = cz - 1; free && z <= cz + 1; ++z) {

@@ -72,6 +72,7 @@ private:
   double rated_time(const Fluid& fluid, double time) const {
     return model_->scene.inlet.concentration > 0 ? fluid.drive().carried(time) : time;
   }
+  bool fits_round(const Vec3& place, double radius) const;
   bool carries(const Fluid& fluid, const Vec3& place, RandomStream& random);
 
   double interval_ = 0, rate_;

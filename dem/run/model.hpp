@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "coupling/files/flow_grid.hpp"
+#include "coupling/geometry/wall_outlines.hpp"
 #include "coupling/scene/scene.hpp"
 #include "dem/contact/laws.hpp"
 #include "dem/contact/neighbours.hpp"
@@ -23,10 +24,11 @@ struct Model {
   Scene scene;
   Laws laws;
   Reach reach;
-  Walls walls, gate;          ///< the gate closes the neck while the channel is filled
-  double largest_radius = 0;  ///< of any particle that will be [m]
-  double weld = 0;            ///< corners of the walls that are nearer than this are one [m]
-  std::string walls_note;     ///< one line on walls from a file that are open, or empty
+  Walls walls, gate;               ///< the gate closes the neck while the channel is filled
+  double largest_radius = 0;       ///< of any particle that will be [m]
+  double weld = 0;                 ///< corners of the walls that are nearer than this are one [m]
+  std::vector<WallOutline> necks;  ///< openings of a channel from a file at the counting plane, if there are several
+  std::string walls_note;          ///< one line on walls from a file that are open, or empty
   Domain domain;
   double contact_time = 0;  ///< tau_Hertz [s]
   FlowFactors factors;      ///< how fast the flow goes at most

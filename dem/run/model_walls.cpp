@@ -1,11 +1,14 @@
 #include "dem/run/model_walls.hpp"
 
+#include <algorithm>
+
 #include "coupling/base/require.hpp"
 #include "coupling/geometry/channel_geometry.hpp"
 #include "coupling/geometry/channel_shape.hpp"
 #include "coupling/geometry/stl.hpp"
 #include "coupling/geometry/stl_channel.hpp"
 #include "coupling/geometry/stl_surface.hpp"
+#include "coupling/geometry/wall_sections.hpp"
 
 namespace clogflow {
 
@@ -88,6 +91,13 @@ Walls file_walls(const Scene& scene, std::string& note) {
   return walls;
 }
 
+/// Several necks lie apart: the gate spans all that is open behind x = 0.
+double gate_width(const Geometry& g, const Walls& channel) {
+  if (g.neck_area == 0) return g.neck_width;
+  const WallSection section = section_at(channel, 1e-3 * g.neck_length);
+  return 2 * std::max(-section.y_min, section.y_max);
+}
+
 /// In a laboratory, where a plane at 0 is none.
 void count_at(Model& model, double plane) {
   if (plane == 0) return;
@@ -123,7 +133,9 @@ void build_walls(Model& model, const FlowGrid* flow) {
     model.walls.insert(model.walls.end(), channel.begin(), channel.end());
     const Walls end = cross_wall(channel_start(s.geometry), s.geometry.channel_width, s.geometry.neck_height, 1);
     model.walls.insert(model.walls.end(), end.begin(), end.end());
-    model.gate = cross_wall(neck_start(s.geometry), s.geometry.neck_width, s.geometry.neck_height, -1);
+    model.gate = cross_wall(neck_start(s.geometry), gate_width(s.geometry, channel), s.geometry.neck_height, -1);
+    if (is_stl_channel(s.geometry)) model.necks = openings_at(channel, s.passages.plane);
+    if (model.necks.size() == 1) model.necks.clear();
     enclose(model.domain, model.walls);
     model.domain.outlet = channel_end(s.geometry);
     model.domain.passage = s.passages.plane;

@@ -38,6 +38,12 @@ void Simulation::finish() {
   const bool flowing_start = model_.scene.inlet.enabled && model_.scene.inlet.start == InletStart::flowing;
   if (flowing_start) r.start_flowed = state_.filling.flowed();
   if (model_.scene.unclog.protocol == UnclogProtocol::poke) r.poked = state_.clog_watch.taken_out();
+  if (!model_.necks.empty()) {
+    r.necks = static_cast<std::int64_t>(model_.necks.size());
+    data.passages.neck.clear();
+    for (std::size_t k = 0; k < data.passages.time.size(); ++k)
+      data.passages.neck.push_back(opening_of(model_.necks, {data.passages.y[k], data.passages.z[k]}));
+  }
   r.inserted = inlet.inserted();
   r.insertions_refused = inlet.refused();
   if (r.drained_at)

@@ -63,6 +63,13 @@ public:
     require_new_seed(group, run, file);
     group.records.push_back(record_of(run, group.scene, group.scale));
     group.records.back().file = file;
+    require(run.record.necks.value_or(1) == std::max<std::int64_t>(1, std::ssize(group.necks)),
+            "{}: counted at {} necks, the runs before it at {}: made by different programs, so they do not mix",
+            file.string(), run.record.necks.value_or(1), std::max<std::int64_t>(1, std::ssize(group.necks)));
+    for (std::size_t k = 0; k < group.necks.size(); ++k) {
+      group.necks[k].push_back(record_of(through_neck(run, static_cast<std::int64_t>(k)), group.scene, group.scale));
+      group.necks[k].back().file = file;
+    }
   }
 
   std::vector<RunGroup> result() && { return std::move(groups_); }
@@ -78,6 +85,7 @@ private:
     group.lines = lines;
     group.scale = clog_scale(group.scene, threshold_, file.string());
     group.record = run.record;
+    if (run.record.necks.value_or(1) > 1) group.necks.resize(static_cast<std::size_t>(*run.record.necks));
     return group;
   }
 
@@ -124,8 +132,12 @@ std::vector<RunGroup> gather(const std::vector<fs::path>& folders, std::optional
   }
   auto groups = std::move(gatherer).result();
   for (auto& group : groups) {
-    std::sort(group.records.begin(), group.records.end(),
-              [](const SeedRecord& a, const SeedRecord& b) { return a.seed < b.seed; });
+    const auto sort = [](std::vector<SeedRecord>& records) {
+      std::sort(records.begin(), records.end(),
+                [](const SeedRecord& a, const SeedRecord& b) { return a.seed < b.seed; });
+    };
+    sort(group.records);
+    for (auto& records : group.necks) sort(records);
   }
   std::stable_sort(groups.begin(), groups.end(), [](const RunGroup& a, const RunGroup& b) {
     return a.scene.particles.diameter > b.scene.particles.diameter;

@@ -18,7 +18,9 @@ struct RunGroup {
   SceneLines lines;
   ClogScale scale;
   std::vector<SeedRecord> records;  ///< in order of seed
-  RunRecord record;                 ///< of its first run
+  /// The same runs as each neck of several sees them, in order of y; empty: there is one.
+  std::vector<std::vector<SeedRecord>> necks;
+  RunRecord record;  ///< of its first run
 };
 
 /// run_*.h5 in a folder, or, if it has none, in the folders right below it; in order of name.

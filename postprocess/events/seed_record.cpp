@@ -65,6 +65,20 @@ double end_of_filling(const RunData& run, const Scene& scene) {
   return 0;
 }
 
+RunData through_neck(const RunData& run, std::int64_t neck) {
+  RunData part = run;
+  part.passages = {};
+  for (std::size_t i = 0; i < run.passages.neck.size(); ++i) {
+    if (run.passages.neck[i] != neck) continue;
+    part.passages.time.push_back(run.passages.time[i]);
+    part.passages.id.push_back(run.passages.id[i]);
+    part.passages.y.push_back(run.passages.y[i]);
+    part.passages.z.push_back(run.passages.z[i]);
+    part.passages.friction_off.push_back(run.passages.friction_off[i]);
+  }
+  return part;
+}
+
 SeedRecord record_of(const RunData& run, const Scene& scene, const ClogScale& scale) {
   SeedRecord record;
   record.seed = run.seed;

@@ -51,6 +51,9 @@ struct SeedRecord {
   double wall_time = std::numeric_limits<double>::quiet_NaN();  ///< if the solver says so [s]
 };
 
+/// The run with the passages of one neck alone: releases, series and end are those of all.
+RunData through_neck(const RunData& run, std::int64_t neck);
+
 SeedRecord record_of(const RunData& run, const Scene& scene, const ClogScale& scale);
 
 /// When the channel is full: 0 for start = "filled" and "flowing"; for start = "empty" the first time at which

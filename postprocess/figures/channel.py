@@ -1,21 +1,50 @@
 """Outline of the channel in the x-y plane, from the geometry of the statistics."""
 
-from matplotlib.patches import Polygon
+import numpy as np
+from matplotlib.patches import PathPatch, Polygon
+from matplotlib.path import Path
 
 import style
 
 UM = 1e6
+MARGIN = 1.06  # of wall beside the fluid
 
 
-def draw(axes, geometry):
-    """Walls as solid bodies, axes in micrometres; shows seven neck widths before the constriction."""
+def draw_sides(axes, geometry):
+    """Two sides without an obstacle between them: a shape given by keys."""
     sides = [[(x * UM, y * UM) for x, y in geometry[side]] for side in ("upper", "lower")]
-    outer = max(abs(y) for side in sides for _, y in side) * 1.06
+    outer = max(abs(y) for side in sides for _, y in side) * MARGIN
     for sign, side in zip((1, -1), sides):
         body = side + [(side[-1][0], sign * outer), (side[0][0], sign * outer)]
         axes.add_patch(Polygon(body, closed=True, facecolor=style.WALL, edgecolor="none", zorder=0))
         axes.plot([x for x, _ in side], [y for _, y in side], color=style.INK, lw=0.9, zorder=3)
-    left = max(sides[0][0][0], -7.0 * geometry["neck_width"] * UM)
-    axes.set_xlim(left, sides[0][-1][0])
-    axes.set_ylim(-outer, outer)
+    return sides[0][0][0], sides[0][-1][0], -outer, outer
+
+
+def draw_fluid(axes, loops):
+    """The cut of an STL channel half way up, closed lines around the fluid and around obstacles in it."""
+    loops = [np.array(loop) * UM for loop in loops]
+    corners = np.concatenate(loops)
+    (left, low), (right, high) = corners.min(axis=0), corners.max(axis=0)
+    beside = (MARGIN - 1) / 2 * (high - low)
+    low, high = low - beside, high + beside
+    frame = np.array([(left, low), (right, low), (right, high), (left, high)])
+    # The fluid's lines run counter-clockwise and the frame clockwise, so what lies between is filled.
+    lines = [frame[::-1]] + loops
+    vertices = np.concatenate([np.vstack([line, line[:1]]) for line in lines])
+    codes = np.concatenate([[Path.MOVETO] + [Path.LINETO] * (len(line) - 1) + [Path.CLOSEPOLY] for line in lines])
+    axes.add_patch(PathPatch(Path(vertices, codes), facecolor=style.WALL, edgecolor="none", zorder=0))
+    for loop in loops:
+        for a, b in zip(loop, np.roll(loop, -1, axis=0)):
+            if a[0] != b[0] or left < a[0] < right:  # inlet and outlet are open
+                axes.plot([a[0], b[0]], [a[1], b[1]], color=style.INK, lw=0.9, zorder=3)
+    return left, right, low, high
+
+
+def draw(axes, geometry):
+    """Walls as solid bodies, axes in micrometres; shows seven neck widths before the constriction."""
+    fluid = geometry.get("fluid")
+    left, right, low, high = draw_fluid(axes, fluid) if fluid else draw_sides(axes, geometry)
+    axes.set_xlim(max(left, -7.0 * geometry["neck_width"] * UM), right)
+    axes.set_ylim(low, high)
     axes.set_aspect("equal")

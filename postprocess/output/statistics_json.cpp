@@ -6,6 +6,8 @@
 #include "coupling/base/content_hash.hpp"
 #include "coupling/files/record_json.hpp"
 #include "coupling/geometry/channel_geometry.hpp"
+#include "coupling/geometry/stl_channel.hpp"
+#include "coupling/geometry/wall_outlines.hpp"
 #include "coupling/scene/readable_scene.hpp"
 #include "postprocess/events/sweep_axis.hpp"
 #include "postprocess/output/first_burst_json.hpp"
@@ -39,6 +41,7 @@ const json units{{"tau", "s"},
                  {"passage_plane", "m"},
                  {"upper", "m"},
                  {"lower", "m"},
+                 {"fluid", "m"},
                  {"diameter", "m"},
                  {"mean_velocity", "m/s"}};
 
@@ -117,11 +120,19 @@ json geometry(const Scene& scene) {
              {"channel_length", scene.geometry.channel_length},
              {"neck_length", scene.geometry.neck_length},
              {"half_angle", scene.geometry.half_angle},
-             {"present", scene.geometry.present && scene.geometry.stl.empty()},
+             {"present", scene.geometry.present && (scene.geometry.stl.empty() || is_stl_channel(scene.geometry))},
              {"passage_plane", scene.passages.plane},
              {"mean_velocity", scene.flow.mean_velocity},
              {"diameter", scene.particles.diameter}};
-  if (shape["present"]) {
+  if (is_stl_channel(scene.geometry)) {
+    // Half way up, or just beside it: at the middle itself lie corners.
+    const double height = 0.4999 * scene.geometry.neck_height;
+    for (const WallOutline& line : closed_outlines(cut_along(read_stl_channel(scene.geometry)->walls, height))) {
+      json corners = json::array();
+      for (const Vec2& corner : line.corners) corners.push_back({corner.x(), corner.y()});
+      shape["fluid"].push_back(corners);
+    }
+  } else if (shape["present"]) {
     const ChannelOutline outline = channel_outline(scene.geometry);
     for (const auto& [name, points] : {std::pair("upper", outline.upper), {"lower", outline.lower}})
       for (const Vec2& point : points) shape[name].push_back({point.x(), point.y()});
@@ -130,6 +141,21 @@ json geometry(const Scene& scene) {
     shape["neck_ratio"] = scene.geometry.neck_width / scene.particles.diameter;
   }
   return shape;
+}
+
+/// Of one neck of several: what it alone let pass.
+json neck_json(const std::vector<SeedRecord>& records, const GroupStatistics& numbers) {
+  json runs = json::array(), quantities = json::object();
+  for (const SeedRecord& record : records)
+    runs.push_back({{"seed", record.seed}, {"passages", record.passages}, {"while_off", record.while_off}});
+  for (const QuantityStatistics& each : numbers.quantities) quantities[each.quantity->key] = as_json(each);
+  return {{"runs", runs},
+          {"quantities", quantities},
+          {"first_burst", as_json(numbers.first_burst)},
+          {"bursts", as_json(numbers.bursts)},
+          {"lapses", as_json(numbers.lapses.lapses)},
+          {"arrests", as_json(numbers.lapses.arrests)},
+          {"longest", numbers.lapses.longest}};
 }
 
 json as_json(const RunGroup& group, const GroupStatistics& numbers) {
@@ -142,28 +168,31 @@ json as_json(const RunGroup& group, const GroupStatistics& numbers) {
     quantities["alpha_fixed"].update(verdict_json(*fit));
   json lapses = as_json(numbers.lapses.lapses);
   lapses["zero"] = numbers.lapses.zero;
-  return {{"label", numbers.label},
-          {"scene", readable_scene(group.scene_text)},
-          {"scene_hash", content_hash(group.scene_text)},
-          {"geometry", geometry(group.scene)},
-          {"protocol", key_value(group.lines, "unclog.protocol").text},
-          {"tau", group.scale.tau},
-          {"t_min", group.scale.threshold},
-          {"runs", runs},
-          {"quantities", quantities},
-          {"first_burst", as_json(numbers.first_burst)},
-          {"burst_order", numbers.burst_order ? as_json(*numbers.burst_order) : json()},
-          {"bursts", as_json(numbers.bursts)},
-          {"lapses", lapses},
-          {"arrests", as_json(numbers.lapses.arrests)},
-          {"longest", numbers.lapses.longest},
-          {"power_law",
-           {{"free", as_json(laws.free, group.scale.tau)},
-            {"fixed", as_json(laws.fixed, group.scale.tau)},
-            {"fixed_censored", as_json(laws.fixed_censored)}}},
-          {"steady", as_json(numbers.steady)},
-          {"provenance", record_json(group.record)},
-          {"notes", numbers.notes}};
+  json entry{{"label", numbers.label},
+             {"scene", readable_scene(group.scene_text)},
+             {"scene_hash", content_hash(group.scene_text)},
+             {"geometry", geometry(group.scene)},
+             {"protocol", key_value(group.lines, "unclog.protocol").text},
+             {"tau", group.scale.tau},
+             {"t_min", group.scale.threshold},
+             {"runs", runs},
+             {"quantities", quantities},
+             {"first_burst", as_json(numbers.first_burst)},
+             {"burst_order", numbers.burst_order ? as_json(*numbers.burst_order) : json()},
+             {"bursts", as_json(numbers.bursts)},
+             {"lapses", lapses},
+             {"arrests", as_json(numbers.lapses.arrests)},
+             {"longest", numbers.lapses.longest},
+             {"power_law",
+              {{"free", as_json(laws.free, group.scale.tau)},
+               {"fixed", as_json(laws.fixed, group.scale.tau)},
+               {"fixed_censored", as_json(laws.fixed_censored)}}},
+             {"steady", as_json(numbers.steady)},
+             {"provenance", record_json(group.record)},
+             {"notes", numbers.notes}};
+  for (std::size_t k = 0; k < group.necks.size(); ++k)
+    entry["necks"].push_back(neck_json(group.necks[k], numbers.necks[k]));
+  return entry;
 }
 
 }  // namespace

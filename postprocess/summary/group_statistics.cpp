@@ -97,6 +97,11 @@ std::vector<std::string> notes(const RunGroup& group, const GroupStatistics& num
                     "their passages all the same",
                     numbers.first_burst.jammed_starts, numbers.first_burst.seeds));
   if (numbers.burst_order && numbers.burst_order->depends) notes.push_back(numbers.burst_order->words);
+  if (!group.necks.empty())
+    notes.push_back(
+        fmt::format("{} necks side by side: without a word a number is of all together, so that a clog is one of all "
+                    "at once; the flow is not diverted from a neck that is clogged",
+                    group.necks.size()));
   if (group.records.size() < 2) notes.emplace_back("a single seed: no intervals");
   return notes;
 }
@@ -118,9 +123,16 @@ GroupStatistics group_statistics(const RunGroup& group, const StatisticsRequest&
                           .lapses = lapse_counts(group),
                           .power_laws = power_laws(group, request),
                           .steady = steady_state(group, request),
+                          .necks = {},
                           .notes = {}};
   if (numbers.burst_order && numbers.burst_order->depends) widen(numbers.quantities, group, request.resampling);
   numbers.notes = notes(group, numbers);
+  for (const std::vector<SeedRecord>& records : group.necks) {
+    RunGroup neck = group;
+    neck.records = records;
+    neck.necks.clear();
+    numbers.necks.push_back(group_statistics(neck, request));
+  }
   return numbers;
 }
 

@@ -41,7 +41,8 @@ struct GroupStatistics {
   LapseCounts lapses;
   PowerLaws power_laws;
   SteadyStatistics steady;
-  std::vector<std::string> notes;  ///< what a reader must know of these runs
+  std::vector<GroupStatistics> necks;  ///< of each neck of several, in order of y: its own passages, bursts, arrests
+  std::vector<std::string> notes;      ///< what a reader must know of these runs
 
   /// \param key of the table of quantities
   const QuantityStatistics& of(const std::string& key) const;

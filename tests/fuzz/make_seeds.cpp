@@ -23,7 +23,7 @@ clogflow::RunData small_run() {
   run.scene_text = "a = 1\n";
   run.record.host = "here";
   run.end_time = 1.5;
-  run.passages = {.time = {0.25, 0.5}, .id = {3, 1}, .y = {0, 0}, .z = {0, 0}, .friction_off = {0, 1}};
+  run.passages = {.time = {0.25, 0.5}, .id = {3, 1}, .y = {0, 0}, .z = {0, 0}, .friction_off = {0, 1}, .neck = {}};
   auto& series = run.series;
   series.time = {0};
   series.count = series.contacts = series.wall_contacts = {1};

@@ -138,6 +138,22 @@ TEST(RunFile, WriterRefuses) {
   EXPECT_FALSE(std::filesystem::exists(temporary("refused.h5")));
 }
 
+TEST(RunFile, SeveralNecksAreAColumnAndOneIsNone) {
+  RunData run = sample_run();
+  const auto file = temporary("necks.h5");
+  write_run_file(run, file);
+  EXPECT_FALSE(Hdf5Reader(file, {.name = "clogflow run", .version = 1}).has("/passages/neck"));
+  run.record.necks = 2;
+  run.passages.neck = {1, 0};
+  write_run_file(run, file);
+  EXPECT_EQ(read_run_file(file).passages.neck, run.passages.neck);
+  EXPECT_EQ(read_run_file(file).record.necks, 2);
+  run.passages.neck = {1};
+  EXPECT_THAT(refusal([&] { write_run_file(run, file); }), HasSubstr("/passages/neck has 1 rows"));
+  run.passages.neck = {2, 0};
+  EXPECT_THAT(refusal([&] { write_run_file(run, file); }), HasSubstr("names a neck beyond the 2 of the record"));
+}
+
 TEST(RunFile, ReaderRefusesOtherFormats) {
   const auto file = temporary("other.h5");
   Hdf5Writer(file, {.name = "clogflow run", .version = 9}).finish();

@@ -15,6 +15,18 @@ TEST(DuctFlow, LargestVelocityIsThePublishedOne) {
   EXPECT_NEAR(DuctFlow(4, 1)(0, 0.5), 1.7737, 2e-4);
 }
 
+TEST(DuctFlow, InAPipeIsThatOfPoiseuille) {
+  Geometry pipe;
+  pipe.channel_width = pipe.neck_height = 2e-4, pipe.inlet_area = M_PI * 1e-8;  // R = 100 um
+  const DuctFlow flow = DuctFlow::of_channel(pipe);
+  EXPECT_NEAR(flow(0, 1e-4), 2, 1e-12);
+  EXPECT_NEAR(flow(30e-6, 1e-4 - 40e-6), 1.5, 1e-12);
+  EXPECT_EQ(flow(80e-6, 170e-6), 0);
+  EXPECT_NEAR(flow.resistance(), 8e8, 1);
+  pipe.inlet_area = 0;
+  EXPECT_NEAR(DuctFlow::of_channel(pipe)(0, 1e-4), 2.0962, 1e-4);
+}
+
 TEST(DuctFlow, BecomesTheParabolaBetweenPlates) {
   const DuctFlow duct(1000, 1);
   EXPECT_NEAR(duct(0, 0.5), 1.5, 1.5e-3);  // the side walls slow 0.63 / 1000 of the width

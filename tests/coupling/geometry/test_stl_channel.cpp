@@ -6,6 +6,7 @@
 #include <fstream>
 #include <random>
 #include <regex>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -346,6 +347,49 @@ TEST(StlChannel, ShippedPore) {
   // each leaves r^2 (1 - 4 sin(pi / 8) / 2) of its square.
   const double corners = 900e-12 * (4 - 8 * std::sin(std::numbers::pi / 8));
   EXPECT_NEAR(section_at(pore.walls, 5e-5).area, 1e-8 - corners, 1e-13);
+}
+
+Scene shipped(const char* scene, const Overrides& overrides = {}) {
+  return read_scene(source_folder() / "scenes" / scene, overrides);
+}
+
+TEST(StlChannel, SeveralNecksAreMeasuredTogetherAndApart) {
+  const Scene scene = shipped("two_necks.toml");
+  EXPECT_NEAR(scene.geometry.neck_area, 2e-8, 1e-14);
+  EXPECT_EQ(scene.geometry.inlet_area, 0);
+  // 5 mm/s over 400 um, in 200 um.
+  EXPECT_NEAR(neck_mean_velocity(scene.geometry, scene.flow.mean_velocity), 10e-3, 1e-9);
+  EXPECT_EQ(parse_scene(effective_scene(scene), "again").geometry.neck_area, scene.geometry.neck_area);
+}
+
+TEST(StlChannel, ARoundInletHasTheRateOfItsCircle) {
+  const Geometry g = shipped("pipe.toml").geometry;
+  const double area = 24 * 150e-6 * 150e-6 * std::sin(M_PI / 24);
+  EXPECT_NEAR(channel_flow_rate(g, 2.5e-3) / (2.5e-3 * area), 1, 1e-5);
+  EXPECT_NEAR(neck_mean_velocity(g, 2.5e-3) / 22.5e-3, 1, 1e-3);
+  EXPECT_NEAR(channel_volume(g, channel_start(g), channel_start(g) + 400e-6) / (400e-6 * area), 1, 1e-5);
+  EXPECT_THAT(refusal([] { shipped("pipe.toml", {"geometry.inlet_area=0.09 mm2"}); }),
+              AllOf(HasSubstr("geometry.inlet_area"), HasSubstr("it is")));
+}
+
+TEST(StlChannel, MeasuredKeysAreRefusedWhereKeysGiveTheShape) {
+  for (const char* key : {"geometry.inlet_diameter=1 um", "geometry.inlet_area=1 um2", "geometry.neck_area=1 um2"})
+    EXPECT_THAT(refusal([&] { flow_scene({key}); }), HasSubstr("is of a channel from geometry.stl: leave it out"));
+  EXPECT_THAT(refusal([] { shipped("pore.toml", {"geometry.neck_area=0.02 mm2"}); }), HasSubstr("geometry.neck_area"));
+}
+
+TEST(StlChannel, AnInletThatIsNeitherRectangleNorCircleIsRefused) {
+  // The pipe of scenes/pipe.stl, its circle pressed flat by a third.
+  std::string pressed;
+  std::istringstream lines(read_text_file(source_folder() / "scenes" / "pipe.stl"));
+  for (std::string line; std::getline(lines, line);) {
+    double x, y, z;
+    if (std::sscanf(line.c_str(), "vertex %lf %lf %lf", &x, &y, &z) == 3)
+      line = fmt::format("vertex {} {} {}", x, y, z * 2 / 3);
+    pressed += line + "\n";
+  }
+  EXPECT_THAT(StlScene(pressed).refused(),
+              HasSubstr("must be a whole rectangle, or a circle of 24 or more equal sides"));
 }
 
 }  // namespace

@@ -52,6 +52,46 @@ TEST(StlScene, ParticlesEnterBetweenTheWalls) {
   }
 }
 
+Scene shipped(const char* scene, Overrides overrides = {}) {
+  overrides.insert(overrides.begin(), {"flow.source=uniform", "time.end=1 ms", "inlet.start=empty"});
+  return read_scene(source_folder() / "scenes" / scene, overrides);
+}
+
+TEST(StlScene, ParticlesEnterARoundInletWithinItsCircle) {
+  const Scene scene = shipped("pipe.toml", {"particles.diameter=30 um"});
+  const Model model = make_model(scene, nullptr, {});
+  const Fluid fluid = make_fluid(scene, nullptr);
+  Inlet inlet(model);
+  Particles p;
+  RandomStream random{3};
+  inlet.scatter(p, random);
+  // A third of the pipe's volume, not of the box around it.
+  const double length = 500e-6, solids = static_cast<double>(p.size()) * M_PI / 6 * std::pow(30e-6, 3);
+  EXPECT_NEAR(solids / (scene.geometry.inlet_area * length), 0.30, 0.01);
+  p = {};
+  for (int k = 0; k < 200; ++k) inlet.insert(p, fluid, random, 0);
+  ASSERT_GT(p.size(), 40u);
+  for (std::size_t i = 0; i < p.size(); ++i)
+    EXPECT_LE(std::hypot(p[i].y, p[i].z - 150e-6) + 15e-6, 150e-6 * std::cos(M_PI / 48) + 1e-9);
+}
+
+TEST(StlScene, TheGateSpansAllNecksAndPassagesHaveTheirs) {
+  const ScratchFile start("x,y,z\n40e-6,-75e-6,50e-6\n30e-6,75e-6,50e-6\n20e-6,70e-6,50e-6\n", ".csv");
+  const Scene scene = shipped("two_necks.toml", {"inlet.enabled=false", "unclog.protocol=none", "time.end=5 ms",
+                                                 "particles.diameter=5 um", "particles.initial=" + start.name()});
+  EXPECT_EQ(make_model(scene, nullptr, {}).necks.size(), 2u);
+  for (const Triangle& t : make_model(scene, nullptr, {}).gate)
+    for (const Vec3& corner : t.corner) EXPECT_NEAR(std::abs(corner.y), 125e-6, 1e-9);
+  Simulation simulation(scene, nullptr, 1);
+  const RunData run = simulation.run();
+  EXPECT_EQ(run.record.necks, 2);
+  EXPECT_EQ(run.passages.neck, (std::vector<std::int64_t>{0, 1, 1}));
+  // One neck has no such column.
+  Simulation one(pore({"time.end=200 us"}), nullptr, 1);
+  const RunData plain = one.run();
+  EXPECT_FALSE(plain.record.necks || !plain.passages.neck.empty());
+}
+
 Scene laboratory(const char* stl, Overrides overrides = {}) {
   const auto folder = source_folder() / "tests" / "reference" / "cases";
   overrides.insert(overrides.begin(), fmt::format("geometry.stl={}", (folder / stl).string()));

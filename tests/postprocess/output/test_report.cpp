@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "coupling/base/child_process.hpp"
+#include "coupling/base/source_folder.hpp"
 #include "postprocess/output/report.hpp"
 #include "postprocess/output/statistics_files.hpp"
 #include "tests/postprocess/synthetic_ensemble.hpp"
@@ -90,6 +91,41 @@ TEST_F(Report, figures_in_both_formats_and_a_page_that_needs_no_other_file) {
   const auto page = text_of(here_ / "report" / "report.html");
   EXPECT_THAT(page, AllOf(HasSubstr("data:image/png;base64,"), HasSubstr("D/d = 3.03"), HasSubstr("neck_width"),
                           Not(HasSubstr("src=\"http")), HasSubstr("</html>")));
+}
+
+TEST_F(Report, walls_from_a_file_are_drawn) {
+  std::filesystem::create_directories(here_ / "runs");
+  for (const char* scene : {"two_necks.toml", "pipe.toml"}) {
+    RunData run = synthetic_run({.end = 0.1, .snapshot_interval = 0.02, .more = {}}, 1);
+    run.scene_text = effective_scene(read_scene(source_folder() / "scenes" / scene));
+    write_run_file(run, here_ / "runs" / run_file_name(1));
+    make(here_ / "runs");
+    const auto shape = nlohmann::json::parse(text_of(here_ / "stats" / "stats.json"))["groups"][0]["geometry"];
+    EXPECT_TRUE(shape["present"]) << scene;
+    ASSERT_EQ(shape["fluid"].size(), 1u) << scene;
+    EXPECT_THAT(text_of(here_ / "report" / "snapshots.png"), StartsWith("\x89PNG")) << scene;
+    // What is filled is wall: between the two necks, beside the pipe's; not within them, nor in the chamber.
+    std::ofstream(here_ / "walls.py") << R"(
+import json, sys
+sys.path.insert(0, sys.argv[1])
+import matplotlib; matplotlib.use("agg")
+import matplotlib.pyplot as plt
+import channel
+axes = plt.subplots()[1]
+channel.draw(axes, json.load(open(sys.argv[2]))["groups"][0]["geometry"])
+wall = lambda x, y: axes.patches[0].contains_point(axes.transData.transform((x, y)))
+two = sys.argv[3] == "two_necks.toml"
+assert wall(50, 0) == two and wall(50, 75) != two and wall(50, -75) != two and not wall(-300, 0)
+assert wall(50, 130) and wall(-300, 203 if two else 153) and len(axes.lines) > 4
+assert axes.get_xlim() == (-560 if two else -650, 100)
+)";
+    EXPECT_EQ(std::system(fmt::format("/usr/bin/python3 {} {} {} {}", (here_ / "walls.py").string(),
+                                      (source_folder() / "postprocess" / "figures").string(),
+                                      (here_ / "stats" / "stats.json").string(), scene)
+                              .c_str()),
+              0)
+        << scene;
+  }
 }
 
 TEST_F(Report, without_any_passage_the_figures_say_so) {

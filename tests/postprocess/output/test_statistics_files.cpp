@@ -262,6 +262,51 @@ TEST_F(StatisticsFiles, an_output_that_cannot_be_written_is_named) {
   EXPECT_THAT(refusal([&] { statistics_of({runs}); }), HasSubstr("stats.json (cannot be written: Is a directory)"));
 }
 
+/// Two necks by turns: neck 0 stands from 0.2 to 0.6 s and neck 1 from 0.5 to 0.9 s, both from 0.5 to 0.6 s alone.
+RunData two_necks(std::uint64_t seed) {
+  RunData run = synthetic_run({.end = 1, .snapshot_interval = 0, .more = {}}, seed);
+  run.passages = {};
+  run.record.necks = 2;
+  for (int k = 0; k < 1000; ++k) {
+    const double t = 1e-3 * k + 1e-6 * static_cast<double>(seed);
+    const int neck = k % 2;
+    if (neck == 0 ? t > 0.2 && t < 0.6 : t > 0.5 && t < 0.9) continue;
+    add_passage(run, t, 0);
+    run.passages.neck.push_back(neck);
+  }
+  return run;
+}
+
+TEST_F(StatisticsFiles, of_each_neck_and_of_both) {
+  std::filesystem::create_directories(here_ / "necks");
+  for (const std::uint64_t seed : {1, 2, 3}) write_run_file(two_necks(seed), here_ / "necks" / run_file_name(seed));
+  const json both = statistics_of({here_ / "necks"})["groups"][0];
+  ASSERT_EQ(both["necks"].size(), 2u);
+  // A clog of one neck is not a clog of both: each has one for 0.4 s, together they have one for 0.1 s.
+  std::size_t sum = 0;
+  for (const json& neck : both["necks"]) {
+    EXPECT_EQ(neck["arrests"]["ended_by_passage"], 3);
+    EXPECT_NEAR(neck["longest"].get<double>(), 0.4, 3e-3);
+    EXPECT_NEAR(neck["runs"][0]["passages"].get<double>(), 300, 2);
+    sum += neck["runs"][0]["passages"].get<std::size_t>();
+  }
+  EXPECT_EQ(both["arrests"]["ended_by_passage"], 3);
+  EXPECT_NEAR(both["longest"].get<double>(), 0.1, 3e-3);
+  EXPECT_EQ(both["runs"][0]["passages"], sum);
+  EXPECT_THAT(both["notes"].dump(), HasSubstr("2 necks side by side"));
+}
+
+TEST_F(StatisticsFiles, runs_with_and_without_necks_do_not_mix) {
+  std::filesystem::create_directories(here_ / "mixed");
+  RunData plain = two_necks(2);
+  plain.record.necks.reset();
+  plain.passages.neck.clear();
+  write_run_file(two_necks(1), here_ / "mixed" / run_file_name(1));
+  write_run_file(plain, here_ / "mixed" / run_file_name(2));
+  EXPECT_THAT(refusal([&] { statistics_of({here_ / "mixed"}); }),
+              HasSubstr("counted at 1 necks, the runs before it at 2"));
+}
+
 TEST(Filling, an_empty_start_counts_from_the_full_channel) {
   SyntheticEnsemble ensemble{.end = 1, .snapshot_interval = 0, .more = {}};
   auto run = synthetic_run(ensemble, 1);
