@@ -31,6 +31,8 @@ constexpr std::pair<std::string_view, std::string_view> later[] = {
     {"unclog.region", "0"},
     {"unclog.shortcut", "false"},
     {"inlet.concentration", "0"},
+    {"particles.size_distribution", "\"normal\""},
+    {"particles.size_spread", "0"},
     {"gravity", "[\"0 m/s2\", \"0 m/s2\", \"0 m/s2\"]"},
 };
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dem/physics/porosity.hpp"
+#include "coupling/scene/particle_sizes.hpp"
 
 namespace clogflow {
 
@@ -19,7 +19,7 @@ double solids(const Scene& s, double strain) {
 }  // namespace
 
 std::int64_t particles_of_strain(const Scene& s, double strain) {
-  return std::max<std::int64_t>(1, std::llround(solids(s, strain) / sphere_volume(s.particles.diameter / 2)));
+  return std::max<std::int64_t>(1, std::llround(solids(s, strain) / ParticleSizes(s.particles).mean_volume()));
 }
 
 double longest_flow(const Scene& s, double strain) {

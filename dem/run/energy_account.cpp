@@ -161,7 +161,7 @@ void EnergyAccount::add_particles(const RunState& state) {
   for (int i = 0; i < static_cast<int>(state.count()); ++i) {
     const ParticleState& p = state.particles[i];
     const Vector<double> velocity = velocity_now(state, i);
-    const Vector<double> body = external_force(model_.scene, p.mass);
+    const Vector<double> body = external_force(model_.scene, p.mass, p.radius);
     power_.body_force += dot(body, velocity);
     if (!fluid.drag) continue;
     const Vector<double> other = Vector<double>{p.fx, p.fy, p.fz} + body;

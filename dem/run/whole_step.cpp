@@ -6,7 +6,8 @@ namespace clogflow {
 Vector<double> total_force(const RunState& state, int i) {
   const auto& p = state.particles;
   const auto& scene = state.model.scene;
-  const Vector<double> other = Vector<double>{p[i].fx, p[i].fy, p[i].fz} + external_force(scene, p[i].mass);
+  const Vector<double> other =
+      Vector<double>{p[i].fx, p[i].fy, p[i].fz} + external_force(scene, p[i].mass, p[i].radius);
   const Vector<double> velocity = p[i].velocity();
   return other + (scene.time.integrator == Integrator::verlet
                       ? state.fluid.drag_force(i, velocity)

@@ -40,6 +40,9 @@ const json units{{"tau", "s"},
                  {"upper", "m"},
                  {"lower", "m"},
                  {"diameter", "m"},
+                 {"feed_diameter", "m"},
+                 {"passage_diameter", "m"},
+                 {"density", "kg/m3"},
                  {"mean_velocity", "m/s"}};
 
 json as_json(const SeedRecord& record) {
@@ -110,6 +113,20 @@ json as_json(const SteadyStatistics& statistics) {
   return steady;
 }
 
+json as_json(const SizeStatistics& sizes) {
+  json all{{"feed_diameter", sizes.feed_diameter},
+           {"feed_spread", sizes.feed_spread},
+           {"passage_diameter", as_json(sizes.passage_diameter)},
+           {"species", json::array()}};
+  for (const SpeciesStatistics& each : sizes.species)
+    all["species"].push_back({{"diameter", each.diameter},
+                              {"density", each.density},
+                              {"feed_share", each.feed_share},
+                              {"passages", each.passages},
+                              {"passage_share", as_json(each.passage_share)}});
+  return all;
+}
+
 json geometry(const Scene& scene) {
   json shape{{"neck_width", scene.geometry.neck_width},
              {"neck_height", scene.geometry.neck_height},
@@ -142,28 +159,30 @@ json as_json(const RunGroup& group, const GroupStatistics& numbers) {
     quantities["alpha_fixed"].update(verdict_json(*fit));
   json lapses = as_json(numbers.lapses.lapses);
   lapses["zero"] = numbers.lapses.zero;
-  return {{"label", numbers.label},
-          {"scene", readable_scene(group.scene_text)},
-          {"scene_hash", content_hash(group.scene_text)},
-          {"geometry", geometry(group.scene)},
-          {"protocol", key_value(group.lines, "unclog.protocol").text},
-          {"tau", group.scale.tau},
-          {"t_min", group.scale.threshold},
-          {"runs", runs},
-          {"quantities", quantities},
-          {"first_burst", as_json(numbers.first_burst)},
-          {"burst_order", numbers.burst_order ? as_json(*numbers.burst_order) : json()},
-          {"bursts", as_json(numbers.bursts)},
-          {"lapses", lapses},
-          {"arrests", as_json(numbers.lapses.arrests)},
-          {"longest", numbers.lapses.longest},
-          {"power_law",
-           {{"free", as_json(laws.free, group.scale.tau)},
-            {"fixed", as_json(laws.fixed, group.scale.tau)},
-            {"fixed_censored", as_json(laws.fixed_censored)}}},
-          {"steady", as_json(numbers.steady)},
-          {"provenance", record_json(group.record)},
-          {"notes", numbers.notes}};
+  json all{{"label", numbers.label},
+           {"scene", readable_scene(group.scene_text)},
+           {"scene_hash", content_hash(group.scene_text)},
+           {"geometry", geometry(group.scene)},
+           {"protocol", key_value(group.lines, "unclog.protocol").text},
+           {"tau", group.scale.tau},
+           {"t_min", group.scale.threshold},
+           {"runs", runs},
+           {"quantities", quantities},
+           {"first_burst", as_json(numbers.first_burst)},
+           {"burst_order", numbers.burst_order ? as_json(*numbers.burst_order) : json()},
+           {"bursts", as_json(numbers.bursts)},
+           {"lapses", lapses},
+           {"arrests", as_json(numbers.lapses.arrests)},
+           {"longest", numbers.lapses.longest},
+           {"power_law",
+            {{"free", as_json(laws.free, group.scale.tau)},
+             {"fixed", as_json(laws.fixed, group.scale.tau)},
+             {"fixed_censored", as_json(laws.fixed_censored)}}},
+           {"steady", as_json(numbers.steady)},
+           {"provenance", record_json(group.record)},
+           {"notes", numbers.notes}};
+  if (numbers.sizes) all["sizes"] = as_json(*numbers.sizes);
+  return all;
 }
 
 }  // namespace

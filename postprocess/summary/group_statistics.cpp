@@ -113,6 +113,7 @@ GroupStatistics group_statistics(const RunGroup& group, const StatisticsRequest&
                           .lapses = lapse_counts(group),
                           .power_laws = power_laws(group, request),
                           .steady = steady_state(group, request),
+                          .sizes = size_statistics(group, request.resampling),
                           .notes = {}};
   if (numbers.burst_order && numbers.burst_order->depends) widen(numbers.quantities, group, request.resampling);
   numbers.notes = notes(group, numbers);

@@ -10,6 +10,7 @@
 #include "postprocess/summary/event_statistics.hpp"
 #include "postprocess/summary/first_burst_statistics.hpp"
 #include "postprocess/summary/quantities.hpp"
+#include "postprocess/summary/size_statistics.hpp"
 
 namespace clogflow::postprocess {
 
@@ -41,7 +42,8 @@ struct GroupStatistics {
   LapseCounts lapses;
   PowerLaws power_laws;
   SteadyStatistics steady;
-  std::vector<std::string> notes;  ///< what a reader must know of these runs
+  std::optional<SizeStatistics> sizes;  ///< where particles differ
+  std::vector<std::string> notes;       ///< what a reader must know of these runs
 
   /// \param key of the table of quantities
   const QuantityStatistics& of(const std::string& key) const;
