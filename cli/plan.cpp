@@ -65,6 +65,7 @@ void print_plan(const PlanOptions& options) {
   for (const PlannedTerm& t : plan.terms)
     fmt::print("{:<34} {:<42} {:>10.3g}  {:<7} {:<9} {:<5} {}\n", t.term, t.number, t.value, t.needed ? "yes" : "no",
                t.modelled ? "yes" : "no", share_of(t), t.reason);
+  if (!plan.sizes_note.empty()) fmt::print("\n{}\n", plan.sizes_note);
   if (!plan.drag_note.empty()) fmt::print("\n{}\n", plan.drag_note);
   for (const std::string& note : plan.drive_notes) fmt::print("drive: {}\n", note);
   fmt::print("\ntime step {:.4g} s\n", plan.dt);

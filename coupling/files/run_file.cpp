@@ -48,6 +48,13 @@ void for_each_drive_column(Run& run, const Visit& visit) {
   visit("pressure_drop", run.series.pressure_drop, "Pa");
 }
 
+// Columns of passages that only runs of unequal particles have.
+template <class Run, class Visit>
+void for_each_size(Run& run, const Visit& visit) {
+  visit("/passages/radius", run.passages.radius, "m");
+  visit("/passages/species", run.passages.species, "1");
+}
+
 // The vectors of one snapshot; `width` numbers a particle.
 template <class Snapshot, class Visit>
 void for_each_quantity(Snapshot& snapshot, const Visit& visit) {
@@ -79,6 +86,9 @@ bool cut_rows(RunData& run, const RunRows& rows) {
     values.resize(group == "/passages" ? rows.passages : group == "/releases" ? rows.releases : rows.series);
   });
   run.passages.neck.clear();
+  for_each_size(run, [&](const char*, auto& values, const char*) {
+    if (!values.empty()) values.resize(rows.passages);
+  });
   run.series.porosity.resize(rows.series);
   for_each_drive_column(run, [&](const char*, std::vector<double>& values, const char*) {
     if (!values.empty()) values.resize(rows.series);
@@ -102,6 +112,13 @@ std::string fault(const RunData& run) {
       wrong = fmt::format("/series/{} has {} rows (the other columns have {})", column, values.size(),
                           run.series.time.size());
   });
+  for_each_size(run, [&](const char* column, const auto& values, const char*) {
+    if (wrong.empty() && !values.empty() && values.size() != run.passages.time.size())
+      wrong = fmt::format("{} has {} rows (the columns before it have {})", column, values.size(),
+                          run.passages.time.size());
+  });
+  if (wrong.empty() && run.passages.radius.size() != run.passages.species.size())
+    wrong = "/passages has a radius or a species of its particles without the other";
   if (!wrong.empty()) return wrong;
   const auto& neck = run.passages.neck;
   if (!neck.empty() && neck.size() != run.passages.time.size())
@@ -121,6 +138,10 @@ std::string fault(const RunData& run) {
         wrong = fmt::format("/snapshots/{} has {} numbers for {} particles at {} s", name, values.size(),
                             snapshot.id.size(), snapshot.time);
     });
+  for (const RunData::Snapshot& snapshot : run.snapshots)
+    if (wrong.empty() && !snapshot.species.empty() && snapshot.species.size() != snapshot.id.size())
+      wrong = fmt::format("/snapshots/species has {} numbers for {} particles at {} s", snapshot.species.size(),
+                          snapshot.id.size(), snapshot.time);
   if (!wrong.empty()) return wrong;
   if (!is_ordered(run.passages.time)) return "/passages/time is not in ascending order, or not finite";
   if (!is_ordered(run.series.time)) return "/series/time is not in ascending order, or not finite";
@@ -163,6 +184,7 @@ void write_snapshots(Hdf5Writer& out, const std::vector<RunData::Snapshot>& snap
     const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
     append(all.id, snapshot.id);
     append(all.radius, snapshot.radius);
+    append(all.species, snapshot.species);
     append(all.position, snapshot.position);
     append(all.velocity, snapshot.velocity);
     append(all.spin, snapshot.spin);
@@ -176,6 +198,7 @@ void write_snapshots(Hdf5Writer& out, const std::vector<RunData::Snapshot>& snap
     out.write("/snapshots/" + name, values,
               {.unit = unit, .shape = width == 1 ? std::vector{count} : std::vector{count, width}});
   });
+  if (!all.species.empty()) out.write("/snapshots/species", all.species, {.unit = "1", .shape = {}});
 }
 
 // Where each snapshot begins, and where the last one ends.
@@ -196,6 +219,10 @@ std::vector<RunData::Snapshot> read_snapshots(const Hdf5Reader& in) {
     values = in.read<Value>("/snapshots/" + name, unit).values;
     in.check(values.size() == width * all.id.size(), "/snapshots has arrays of different length");
   });
+  if (in.has("/snapshots/species")) {
+    all.species = in.read<std::int64_t>("/snapshots/species", "1").values;
+    in.check(all.species.size() == all.id.size(), "/snapshots has arrays of different length");
+  }
   const std::vector<std::size_t> bounds = read_bounds(in, time.size(), all.id.size());
   std::vector<RunData::Snapshot> snapshots(time.size());
   for (std::size_t i = 0; i < snapshots.size(); ++i) {
@@ -207,6 +234,7 @@ std::vector<RunData::Snapshot> read_snapshots(const Hdf5Reader& in) {
     snapshot.time = time[i];
     snapshot.id = slice(all.id, 1);
     snapshot.radius = slice(all.radius, 1);
+    if (!all.species.empty()) snapshot.species = slice(all.species, 1);
     snapshot.position = slice(all.position, 3);
     snapshot.velocity = slice(all.velocity, 3);
     snapshot.spin = slice(all.spin, 3);
@@ -233,6 +261,9 @@ void write_run_file(const RunData& run, const std::filesystem::path& file) {
     out.write(group + "/" + column, values, {.unit = unit, .shape = {}});
   });
   if (!run.passages.neck.empty()) out.write(neck_column, run.passages.neck, {.unit = "1", .shape = {}});
+  for_each_size(run, [&](const char* column, const auto& values, const char* unit) {
+    if (!values.empty()) out.write(column, values, {.unit = unit, .shape = {}});
+  });
   write_porosity(out, run.series.porosity);
   for_each_drive_column(run, [&](const std::string& column, const std::vector<double>& values, const char* unit) {
     if (!values.empty()) out.write("/series/" + column, values, {.unit = unit, .shape = {}});
@@ -274,6 +305,10 @@ RunData read_run_file(const std::filesystem::path& file) {
     values = std::move(array.values);
   });
   read_necks(in, run);
+  for_each_size(run, [&](const char* column, auto& values, const char* unit) {
+    using Value = typename std::remove_cvref_t<decltype(values)>::value_type;
+    if (in.has(column)) values = in.read<Value>(column, unit).values;
+  });
   run.series.porosity = read_porosity(in);
   for_each_drive_column(run, [&](const std::string& column, std::vector<double>& values, const char* unit) {
     if (in.has("/series/" + column)) values = in.read<double>("/series/" + column, unit).values;

@@ -24,6 +24,8 @@ struct RunData {
     std::vector<double> y, z;                ///< where [m]
     std::vector<std::uint8_t> friction_off;  ///< 1: while a release held friction off
     std::vector<std::int64_t> neck;          ///< which opening, in order of y; empty: there is one
+    std::vector<double> radius;              ///< where particles differ, else empty [m]
+    std::vector<std::int64_t> species;       ///< place in particles.species; likewise
   } passages;
 
   /// One row a release: friction was off in [off, on).
@@ -56,16 +58,17 @@ struct RunData {
   struct Snapshot {
     double time = 0;  ///< [s]
     std::vector<std::int64_t> id;
-    std::vector<double> radius;    ///< [n] [m]
-    std::vector<double> position;  ///< [m]
-    std::vector<double> velocity;  ///< at the same time as the position [m/s]
-    std::vector<double> spin;      ///< [rad/s]
-    std::vector<double> force;     ///< of all kinds [N]
-    std::vector<double> torque;    ///< [N m]
+    std::vector<double> radius;         ///< [n] [m]
+    std::vector<std::int64_t> species;  ///< [n] where particles differ, else empty
+    std::vector<double> position;       ///< [m]
+    std::vector<double> velocity;       ///< at the same time as the position [m/s]
+    std::vector<double> spin;           ///< [rad/s]
+    std::vector<double> force;          ///< of all kinds [N]
+    std::vector<double> torque;         ///< [N m]
 
     template <class Archive>
     void exchange(Archive& archive) {
-      archive(time, id, radius, position, velocity, spin, force, torque);
+      archive(time, id, radius, species, position, velocity, spin, force, torque);
     }
   };
   std::vector<Snapshot> snapshots;
@@ -78,7 +81,8 @@ struct RunData {
   template <class Archive>
   void exchange(Archive& archive) {
     archive(seed, scene_text, record, end_time);
-    archive(passages.time, passages.id, passages.y, passages.z, passages.friction_off);
+    archive(passages.time, passages.id, passages.y, passages.z, passages.friction_off, passages.radius,
+            passages.species);
     archive(releases.off, releases.on, releases.largest_speed, releases.position);
     auto& s = series;
     archive(s.time, s.count, s.porosity, s.packing_fraction, s.kinetic_energy, s.elastic_energy, s.largest_overlap,

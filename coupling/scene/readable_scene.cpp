@@ -13,7 +13,7 @@ namespace {
 bool holds_quantities(const std::string& path) {
   const Key* key = find_key(path);
   return key && (std::holds_alternative<NumberSlot>(key->slot) || std::holds_alternative<AngleSlot>(key->slot) ||
-                 std::holds_alternative<VectorSlot>(key->slot));
+                 std::holds_alternative<VectorSlot>(key->slot) || std::holds_alternative<SpeciesSlot>(key->slot));
 }
 
 std::string readable(const std::string& text) {

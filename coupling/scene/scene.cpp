@@ -6,6 +6,7 @@
 
 #include "coupling/base/require.hpp"
 #include "coupling/base/shown_text.hpp"
+#include "coupling/scene/particle_sizes.hpp"
 #include "coupling/scene/scene_bounds.hpp"
 #include "coupling/scene/scene_draft.hpp"
 
@@ -30,6 +31,16 @@ void locate(const SceneDraft& draft, const std::filesystem::path& folder,
           shown_text(*file, 300));
 }
 
+// A file of sizes becomes the mixture that it says: what is written of the scene needs the file no more.
+void take_sizes(SceneDraft& draft) {
+  auto& particles = draft.scene.particles;
+  if (particles.size_file.empty()) return;
+  const std::vector<Species> read = read_size_file(particles.size_file);
+  require(!draft.has("particles.species") || particles.species == read,
+          "{} (particles.species says other sizes: leave one out)", draft.says("particles.size_file"));
+  particles.species = read;
+}
+
 }  // namespace
 
 Scene read_scene(const std::filesystem::path& file, const Overrides& overrides) {
@@ -47,7 +58,9 @@ Scene read_scene(const std::filesystem::path& file, const Overrides& overrides) 
   locate(draft, file.parent_path(), {"geometry.stl", &draft.scene.geometry.stl});
   locate(draft, file.parent_path(), {"particles.initial", &draft.scene.particles.initial});
   locate(draft, file.parent_path(), {"flow.oscillation.table", &draft.scene.flow.oscillation.table});
+  locate(draft, file.parent_path(), {"particles.size_file", &draft.scene.particles.size_file});
   measure_stl(draft);
+  take_sizes(draft);
   return finish(std::move(draft));
 }
 

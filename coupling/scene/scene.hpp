@@ -21,6 +21,7 @@ enum class DragVelocity { interstitial, superficial, mixture };
 enum class PorosityMethod { strips, local };
 enum class InletStart { filled, empty, flowing };
 enum class UnclogProtocol { none, release, stop, restart, poke };
+enum class SizeDistribution { uniform, normal, lognormal, file };
 enum class Integrator { verlet, implicit_drag, implicit_fluid };
 
 struct Friction {
@@ -28,6 +29,17 @@ struct Friction {
   double rolling = 0;  ///< [-]
   double torsion = 0;  ///< [-]
 };
+
+/// Particles of one kind in a mixture.
+struct Species {
+  double diameter = 0;  ///< mean over their number [m]
+  double share = 0;     ///< of the number of all particles [-]
+  double density = 0;   ///< [kg/m3]; default particles.density
+
+  bool operator==(const Species&) const = default;
+};
+
+inline constexpr std::size_t most_species = 100;
 
 /// Plain data, one member per scene key, named as the key. A section that is absent in the file has
 /// `present = false` or its term off; values that the file leaves out hold their documented default.
@@ -79,10 +91,14 @@ struct Scene {
   } flow;
 
   struct Particles {
-    double diameter = 0;   ///< [m]
-    double density = 0;    ///< [kg/m3]; default fluid.density
-    double roughness = 0;  ///< xi [m]; default 0.005 diameter
-    std::string initial;   ///< CSV of initial particles; empty: none
+    double diameter = 0;  ///< mean over the number of particles [m]; default that of species or size_file
+    SizeDistribution size_distribution = SizeDistribution::normal;
+    double size_spread = 0;        ///< standard deviation of the diameter over its mean, in each species [-]
+    std::string size_file;         ///< CSV of diameters and shares; empty: none
+    std::vector<Species> species;  ///< empty: all particles are of one kind
+    double density = 0;            ///< [kg/m3]; default fluid.density
+    double roughness = 0;          ///< xi [m], one length for all sizes; default 0.005 diameter
+    std::string initial;           ///< CSV of initial particles; empty: none
   } particles;
 
   struct Contact {

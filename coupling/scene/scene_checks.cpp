@@ -6,6 +6,7 @@
 #include "coupling/base/units.hpp"
 #include "coupling/geometry/channel_shape.hpp"
 #include "coupling/geometry/stl_channel.hpp"
+#include "coupling/scene/particle_sizes.hpp"
 #include "coupling/scene/scene_draft.hpp"
 #include "coupling/scene/scene_keys.hpp"
 #include "coupling/scene/sweep.hpp"
@@ -48,12 +49,44 @@ void check_walls(const SceneDraft& draft) {
     require(box.max[axis] > box.min[axis], "{} (must be larger than box.min in each component)", draft.says("box.max"));
 }
 
+/// The key that decides the largest particle.
+const char* size_key(const Scene& scene) {
+  const auto& particles = scene.particles;
+  return !particles.size_file.empty() ? "particles.size_file"
+         : particles.size_spread > 0  ? "particles.size_spread"
+         : particles.species.empty()  ? "particles.diameter"
+                                      : "particles.species";
+}
+
+/// Of what must be where sizes differ.
+void check_sizes(const SceneDraft& draft) {
+  const auto& particles = draft.scene.particles;
+  const bool from_file = particles.size_distribution == SizeDistribution::file;
+  require(from_file == !particles.size_file.empty(), "{} ({})",
+          draft.says(from_file ? "particles.size_distribution" : "particles.size_file"),
+          from_file ? "needs particles.size_file too" : "is for particles.size_distribution = \"file\"");
+  require(!from_file || particles.size_spread == 0, "{} (the file says how sizes spread: leave it out)",
+          draft.says("particles.size_spread"));
+  if (!particles.species.empty()) {
+    const double mean = mean_diameter(particles.species);
+    require(std::abs(particles.diameter - mean) <= 1e-9 * mean,
+            "{} (the mean over the number of particles.species is {}): leave it out", draft.says("particles.diameter"),
+            short_length(mean));
+  }
+  const std::string fault = spread_fault(particles);
+  require(fault.empty(), "{} ({})", draft.says(size_key(draft.scene)), fault);
+}
+
 void check_particles(const SceneDraft& draft) {
   const Scene& scene = draft.scene;
-  const double diameter = scene.particles.diameter;
+  check_sizes(draft);
+  const ParticleSizes sizes(scene.particles);
+  const double diameter = sizes.smallest();
   const auto fits = [&](double opening, std::string_view name) {
-    require(opening == 0 || diameter < opening, "{} (must be smaller than {} = {}, or no particle fits through)",
-            draft.says("particles.diameter"), name, metres(opening));
+    require(opening == 0 || sizes.largest() < opening,
+            "{} ({}must be smaller than {} = {}, or no particle fits through)", draft.says(size_key(scene)),
+            sizes.equal() ? std::string() : fmt::format("the largest has {} and ", short_length(sizes.largest())), name,
+            metres(opening));
   };
   if (scene.geometry.present) {
     fits(scene.geometry.neck_width, "geometry.neck_width");
@@ -62,8 +95,16 @@ void check_particles(const SceneDraft& draft) {
   }
   for (int axis = 0; scene.box.present && axis < 3; ++axis)
     fits(scene.box.max[axis] - scene.box.min[axis], fmt::format("the box along {}", "xyz"[axis]));
-  require(scene.particles.roughness < diameter / 4, "{} (must be smaller than a quarter of particles.diameter = {})",
-          draft.says("particles.roughness"), metres(diameter));
+  require(scene.particles.roughness < diameter / 4, "{} (must be smaller than a quarter of {} = {})",
+          draft.says("particles.roughness"), sizes.equal() ? "particles.diameter" : "the smallest diameter",
+          sizes.equal() ? metres(diameter) : short_length(diameter));
+  // Where sizes differ, films reach in proportion to them.
+  const double smallest_share = diameter / scene.particles.diameter;
+  if (scene.lubrication.enabled && !sizes.equal())
+    require(smallest_share * scene.lubrication.cutoff > 2 * scene.particles.roughness,
+            "{} (between the smallest particles {}, which must be larger than 2 particles.roughness = {})",
+            draft.says("lubrication.cutoff"), short_length(smallest_share * scene.lubrication.cutoff),
+            metres(2 * scene.particles.roughness));
   if (scene.lubrication.enabled)
     require(scene.lubrication.cutoff > 2 * scene.particles.roughness,
             "{} (must be larger than 2 particles.roughness = {})", draft.says("lubrication.cutoff"),
@@ -213,9 +254,11 @@ void check_starts_and_clogs(const SceneDraft& draft) {
   const bool local = s.porosity.method == PorosityMethod::local;
   check_goes_with(draft, "porosity.width", local, "porosity.method = \"local\"");
   // A sphere alone would fill more than its own place: pi/6 d^3 / (2 pi s^2)^(3/2) = 0.27 at s = d/2, 0.99 at 0.32 d.
-  require(!local || s.porosity.width >= s.particles.diameter / 2,
-          "{} (must be at least half of particles.diameter = {}, or a sphere sees little but itself)",
-          draft.says("porosity.width"), metres(s.particles.diameter));
+  const ParticleSizes sizes(s.particles);
+  require(!local || s.porosity.width >= sizes.largest() / 2,
+          "{} (must be at least half of {} = {}, or a sphere sees little but itself)", draft.says("porosity.width"),
+          sizes.equal() ? "particles.diameter" : "the largest diameter",
+          sizes.equal() ? metres(sizes.largest()) : short_length(sizes.largest()));
   require(!s.porosity.neck || (!local && s.porosity.strips > 0),
           "{} (is one more strip: needs porosity.method = \"strips\" and porosity.strips > 0)",
           draft.says("porosity.neck"));

@@ -5,6 +5,7 @@
 
 #include "coupling/base/require.hpp"
 #include "coupling/scene/grid_spacing.hpp"
+#include "coupling/scene/particle_sizes.hpp"
 #include "coupling/scene/scene_draft.hpp"
 #include "coupling/scene/scene_keys.hpp"
 
@@ -106,7 +107,16 @@ void fill_flow(SceneDraft& draft) {
 
 void fill_particles(SceneDraft& draft) {
   Scene& scene = draft.scene;
-  need(draft, "particles.diameter");
+  // An override of the mixture beats a diameter of the file.
+  const auto overridden = [&](const char* key) {
+    return draft.has(key) && draft.given.at(key).where.starts_with("--set ");
+  };
+  const bool mixed = !scene.particles.species.empty();
+  const bool replaced = overridden("particles.species") || overridden("particles.size_file");
+  if (mixed && (!draft.has("particles.diameter") || (replaced && !overridden("particles.diameter"))))
+    scene.particles.diameter = mean_diameter(scene.particles.species);
+  else
+    need(draft, "particles.diameter");
   if (!draft.has("particles.density")) {
     require(draft.has("fluid.density"),
             "{}: particles.density is missing (a density, e.g. \"1062 kg/m3\"; there is no "

@@ -33,6 +33,8 @@ constexpr std::pair<std::string_view, std::string_view> later[] = {
     {"inlet.concentration", "0"},
     {"flow.drive", "\"rate\""},
     {"flow.oscillation.shape", "\"sine\""},
+    {"particles.size_distribution", "\"normal\""},
+    {"particles.size_spread", "0"},
     {"gravity", "[\"0 m/s2\", \"0 m/s2\", \"0 m/s2\"]"},
 };
 

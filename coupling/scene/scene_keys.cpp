@@ -17,6 +17,8 @@ constexpr Range positive{.low = 0, .low_allowed = false};
 constexpr Range non_negative{.low = 0};
 // Random insertion finds no room for more.
 constexpr Range dilute{.low = 0, .high = 0.3};
+// Beyond, the sizes of every distribution differ more than tenfold.
+constexpr Range spread{.low = 0, .high = 0.5};
 constexpr Range fraction{.low = 0, .high = 1, .low_allowed = false};
 // Its dashpot grows like e^(-1/2) and limits the step; 0.001 is as good as none.
 constexpr Range restitution{.low = 1e-3, .high = 1};
@@ -117,7 +119,11 @@ std::vector<Key> make_keys() {
       WORD(flow.oscillation.shape, "of that factor: the sine, or its sign", "sine", "square"),
       TEXT(flow.oscillation.table, "CSV file in the place of all that, with the header time,factor or time [ms],factor: ramps and reversals"),
 
-      NUMBER(particles.diameter, length, positive, "of a particle"),
+      NUMBER(particles.diameter, length, positive, "of a particle; of unequal ones the mean over their number"),
+      WORD(particles.size_distribution, "of the diameters, each species about its own mean; default normal", "uniform", "normal", "lognormal", "file"),
+      NUMBER(particles.size_spread, number, spread, "standard deviation over mean; default 0: equal"),
+      TEXT(particles.size_file, "CSV file of size_distribution file: columns diameter, with its unit, and share"),
+      Key{"particles.species", SpeciesSlot{AT(particles.species)}, "a mixture: [{diameter = \"33 um\", share = 0.5, density = \"1062 kg/m3\"}, ...], shares of the number of particles; density by default that of all"},
       NUMBER(particles.density, density, positive, "of the particles; default fluid.density"),
       NUMBER(particles.roughness, length, positive, "xi; default 0.005 diameter"),
       TEXT(particles.initial, "CSV file of initial particles: x,y,z,radius,vx,vy,vz,wx,wy,wz in SI units"),

@@ -64,8 +64,12 @@ struct SeedsSlot {
   std::vector<std::uint64_t>& (*at)(Scene&);
 };
 
-using Slot =
-    std::variant<NumberSlot, AngleSlot, VectorSlot, CountSlot, SwitchSlot, TextSlot, WordSlot, TextsSlot, SeedsSlot>;
+struct SpeciesSlot {
+  std::vector<Species>& (*at)(Scene&);
+};
+
+using Slot = std::variant<NumberSlot, AngleSlot, VectorSlot, CountSlot, SwitchSlot, TextSlot, WordSlot, TextsSlot,
+                          SeedsSlot, SpeciesSlot>;
 
 struct Key {
   std::string_view path;  ///< "contact.friction.sliding"

@@ -60,6 +60,16 @@ struct Printer {
     for (const std::string& text : slot.at(scene)) all += (all.empty() ? "" : ", ") + in_quotes(text);
     return all.empty() ? "" : "[" + all + "]";
   }
+  std::string operator()(const SpeciesSlot& slot) const {
+    std::string all;
+    for (const Species& each : slot.at(scene)) {
+      all += fmt::format("{}{{diameter = {}, share = {}", all.empty() ? "" : ", ",
+                         number_text(each.diameter, dimension::length), each.share);
+      if (each.density > 0) all += ", density = " + number_text(each.density, dimension::density);
+      all += '}';
+    }
+    return all.empty() ? "" : "[" + all + "]";
+  }
   std::string operator()(const SeedsSlot& slot) const { return in_quotes(format_seeds(slot.at(scene))); }
 };
 

@@ -132,6 +132,45 @@ struct Reader {
     }
   }
 
+  Species species(const std::string& name, const toml::node& value) const {
+    const toml::table* table = value.as_table();
+    if (!table) refuse(name, value, "must be a kind of particles: {diameter = \"33 um\", share = 0.5}");
+    Species kind;
+    for (const auto& [field, node] : *table) {
+      const std::string path = fmt::format("{}.{}", name, field.str());
+      double value_read = 0;
+      if (field.str() == "diameter") {
+        value_read = kind.diameter = number(path, node, dimension::length);
+      } else if (field.str() == "share") {
+        value_read = kind.share = number(path, node, dimension::number);
+      } else if (field.str() == "density") {
+        value_read = kind.density = number(path, node, dimension::density);
+      } else {
+        refuse(path, node, "unknown: a species has diameter, share and density; friction and all else is common");
+      }
+      if (!(value_read > 0)) refuse(path, node, "must be > 0");
+    }
+    if (kind.diameter == 0) refuse(name, value, "has no diameter: give it, e.g. diameter = \"33 um\"");
+    if (kind.share == 0) refuse(name, value, "has no share of the number of particles: give it, e.g. share = 0.5");
+    return kind;
+  }
+
+  void operator()(const SpeciesSlot& slot, const toml::node& value) const {
+    const std::string name(key.path);
+    const toml::array* kinds = value.as_array();
+    if (!kinds || kinds->empty() || kinds->size() > most_species)
+      refuse(name, value,
+             fmt::format("must be a list of kinds: [{{diameter = \"33 um\", share = 0.5}}, ...], at most {}",
+                         most_species));
+    slot.at(scene).clear();
+    double sum = 0;
+    for (std::size_t i = 0; i < kinds->size(); ++i) {
+      slot.at(scene).push_back(species(fmt::format("{}[{}]", name, i), *kinds->get(i)));
+      sum += slot.at(scene).back().share;
+    }
+    if (std::abs(sum - 1) > 1e-6) refuse(name, value, fmt::format("shares must add up to 1, these to {:.7g}", sum));
+  }
+
   void operator()(const SeedsSlot& slot, const toml::node& value) const {
     const std::string name(key.path);
     std::string text;

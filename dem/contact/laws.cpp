@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "coupling/scene/particle_sizes.hpp"
 #include "dem/physics/contact_laws.hpp"
 
 namespace clogflow {
@@ -29,8 +30,14 @@ ContactTerms contact_terms(const Friction& friction) {
 
 LubricationLaw lubrication_law(const Scene& scene) {
   if (!scene.lubrication.enabled) return {};
-  return {scene.fluid.viscosity, 2 * scene.particles.roughness, scene.lubrication.cutoff,
-          scene.lubrication.below_roughness == BelowRoughness::clamp};
+  LubricationLaw law{scene.fluid.viscosity, 2 * scene.particles.roughness, scene.lubrication.cutoff,
+                     scene.lubrication.below_roughness == BelowRoughness::clamp};
+  const ParticleSizes sizes(scene.particles);
+  if (sizes.equal()) return law;
+  // The cut-off is that of two particles of the mean size.
+  law.per_radius = 4 * law.farthest / scene.particles.diameter;
+  law.farthest *= sizes.largest() / scene.particles.diameter;
+  return law;
 }
 
 }  // namespace
@@ -44,6 +51,7 @@ Laws make_laws(const Scene& scene) {
   laws.wall.contact = contact_law(scene, {c.wall_youngs_modulus, c.wall_poisson_ratio}, c.wall_friction);
   laws.wall.terms = contact_terms(c.wall_friction);
   if (scene.lubrication.walls) laws.wall.lubrication = laws.film;
+  laws.wall.lubrication.per_radius /= 2;  // R* at a wall is twice that of two equal spheres
   return laws;
 }
 

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "coupling/base/expect.hpp"
+#include "dem/contact/size_levels.hpp"
 #include "dem/state/valid.hpp"
 
 namespace clogflow {
@@ -40,6 +41,31 @@ Memory remember(const Neighbours& list, const std::vector<int>& renumbered, std:
   return memory;
 }
 
+/// Ratio of largest to smallest radius from which a grid for each class of sizes is the quicker, as measured.
+constexpr double least_unequal = 2;
+
+/// Edge of cells for spheres of the mean size [m]
+double mean_edge(const Particles& p, const Reach& reach) {
+  double sum = 0;
+  for (const ParticleState& s : p.states) sum += s.radius;
+  const double mean = sum / static_cast<double>(p.size());
+  return reach.of(mean, mean);
+}
+
+/// Pairs in ascending order of the first, as the loops over them want to find particles in memory.
+void sort_by_first(std::vector<int>& first, std::vector<int>& second, std::size_t particles) {
+  std::vector<int> next(particles + 1, 0), sorted_first(first.size()), sorted_second(first.size());
+  for (const int i : first) ++next[i + 1];
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  for (std::size_t k = 0; k < first.size(); ++k) {
+    const int to = next[first[k]]++;
+    sorted_first[to] = first[k];
+    sorted_second[to] = second[k];
+  }
+  first.swap(sorted_first);
+  second.swap(sorted_second);
+}
+
 }  // namespace
 
 std::vector<int> Neighbours::rebuild(Particles& p, const std::vector<std::uint8_t>& leaving, const Reach& reach) {
@@ -50,24 +76,34 @@ std::vector<int> Neighbours::rebuild(Particles& p, const std::vector<std::uint8_
   std::vector<int> renumbered(p.size(), -1);
   p.reorder(staying);
   const double radius = p.size() ? std::ranges::max(p.states, {}, &ParticleState::radius).radius : 0;
-  const Cells cells(p, 2 * radius + reach.lubrication + reach.skin);
+  const double least = p.size() ? std::ranges::min(p.states, {}, &ParticleState::radius).radius : 0;
+  const bool leveled = reach.by_size && radius > least_unequal * least;
+  const double far = reach.per_radius > 0 ? reach.of(radius, radius) : 2 * radius + reach.lubrication + reach.skin;
+  // Only the order in memory is taken from them where sizes have grids of their own.
+  const Cells cells(p, leveled ? mean_edge(p, reach) : far);
   p.reorder(cells.order());
   for (std::size_t k = 0; k < staying.size(); ++k) renumbered[staying[cells.order()[k]]] = static_cast<int>(k);
   const Memory memory = remember(*this, renumbered, p.size());
 
   first.clear(), second.clear();
-  cells.for_each_pair([&](int i, int j) {
+  const auto list = [&](int i, int j) {
     const double dx = p[i].x - p[j].x, dy = p[i].y - p[j].y, dz = p[i].z - p[j].z;
-    const double far = p[i].radius + p[j].radius + reach.skin + reach.lubrication;
-    if (dx * dx + dy * dy + dz * dz >= far * far) return;
+    const double within = reach.of(p[i].radius, p[j].radius);
+    if (dx * dx + dy * dy + dz * dz >= within * within) return;
     first.push_back(i);
     second.push_back(j);
-  });
+  };
+  if (leveled) {
+    SizeLevels(p, reach, radius, least).for_each_pair(list);
+    sort_by_first(first, second, p.size());
+  } else {
+    cells.for_each_pair(list);
+  }
   contacts.reset();
-  const Candidates list{first.data(), second.data(), first.size()};
-  for (std::size_t k = 0; k < list.count; ++k)
+  const Candidates listed{first.data(), second.data(), first.size()};
+  for (std::size_t k = 0; k < listed.count; ++k)
     for (int c = memory.start[first[k]]; c < memory.start[first[k] + 1]; ++c)
-      if (memory.contacts[c].j == second[k]) contacts.add(list, static_cast<int>(k), memory.contacts[c].springs);
+      if (memory.contacts[c].j == second[k]) contacts.add(listed, static_cast<int>(k), memory.contacts[c].springs);
   measure(p);
   expect(first.size() == second.size() && contacts.size() <= first.size());
   return renumbered;

@@ -6,15 +6,10 @@
 
 #include "dem/contact/cells.hpp"
 #include "dem/contact/contact_set.hpp"
+#include "dem/contact/reach.hpp"
 #include "dem/state/particles.hpp"
 
 namespace clogflow {
-
-/// How far a pair list looks.
-struct Reach {
-  double skin = 0;         ///< two particles may together drift this far before a rebuild [m]
-  double lubrication = 0;  ///< largest gap at which a film or a contact that sticks acts; 0: none [m]
-};
 
 class Neighbours {
 public:

@@ -66,7 +66,8 @@ Eigen::VectorXd right_side(const AdvanceTask& step, Eigen::Index films, const Ei
     const double v[] = {s.vx, s.vy, s.vz}, f[] = {s.fx, s.fy, s.fz};
     for (int a = 0; a < 3; ++a) {
       const double drag = step.drag ? step.drag[i] * u[a][i] : 0;
-      const double external = step.body_force[a] + s.mass * step.weight_per_mass[a];
+      const double external =
+          step.body_force[a] + s.mass * step.weight_per_mass[a] - s.radius * s.radius * s.radius * step.buoyancy[a];
       right[films + 3 * i + a] = scale[i] * (s.mass * v[a] + step.kick * (f[a] + external + drag));
     }
   }

@@ -3,11 +3,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupling/scene/particle_sizes.hpp"
 #include "dem/physics/dimensionless.hpp"
+#include "dem/physics/drag_laws/unequal_spheres.hpp"
 
 namespace clogflow {
 
 const DragLaw& drag_law(const Scene& scene) { return find_drag_law(scene.drag.law); }
+
+namespace {
+
+bool unequal_in_pack(const Scene& scene) {
+  return find_drag_law(scene.drag.law).of_packs && !ParticleSizes(scene.particles).equal();
+}
+
+}  // namespace
 
 Fluid::Fluid(const Scene& scene, const FlowField& field, PorosityStrips strips, LocalPorosity local)
     : field_(field),
@@ -20,6 +30,7 @@ Fluid::Fluid(const Scene& scene, const FlowField& field, PorosityStrips strips, 
       density_(scene.fluid.density),
       kernels_(select_kernels()),
       reading_(scene.drag.velocity),
+      per_sauter_mean_(unequal_in_pack(scene) ? 1 / ParticleSizes(scene.particles).sauter_mean() : 0),
       drag_(scene.drag.enabled),
       viscous_torque_(scene.drag.viscous_torque) {}
 
@@ -46,6 +57,7 @@ void Fluid::evaluate(Particles& p) {
   sample(p);
   if (!local_.empty()) add_surroundings(p);
   if (law_.knows_slip) add_slip(p);
+  if (per_sauter_mean_ > 0) add_unequal_sizes(p);
   if (noise_.fluctuates()) add_fluctuation(p);
   if (viscous_torque_) add_vorticity(p);
 }
@@ -102,9 +114,17 @@ void Fluid::add_slip(const Particles& p) {
     const Vec3 slip = Vec3{ux_[i], uy_[i], uz_[i]} - p[i].velocity();
     // V0 - v is the superficial slip of a mixture already.
     const double share = reading_ == DragVelocity::mixture ? 1 : porosity;
-    const double reynolds = reynolds_number(density_, share * std::sqrt(dot(slip, slip)), 2 * p[i].radius, viscosity_);
+    // A pack's law is taken at the mixture's mean size.
+    const double size = per_sauter_mean_ > 0 ? 1 / per_sauter_mean_ : 2 * p[i].radius;
+    const double reynolds = reynolds_number(density_, share * std::sqrt(dot(slip, slip)), size, viscosity_);
     coefficient_[i] *= law_.factor({porosity, reynolds}) / law_.slow_factor(porosity);
   }
+}
+
+void Fluid::add_unequal_sizes(const Particles& p) {
+  const UnequalSpheres law{reading_ != DragVelocity::superficial};
+  for (std::size_t i = 0; i < p.size(); ++i)
+    coefficient_[i] *= law.factor(porosity_at(p[i]), 2 * p[i].radius * per_sauter_mean_);
 }
 
 void Fluid::add_fluctuation(const Particles& p) {

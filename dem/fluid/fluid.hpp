@@ -28,7 +28,8 @@ const DragLaw& drag_law(const Scene& scene);
 ///                 at rest the paper's force
 /// Published as the total fluid force: no separate pressure gradient force.
 /// eps is that of the particle's strip or, if there is a local porosity, that of its place; the strips are then
-/// recorded only.
+/// recorded only. Where sizes differ, f is that of the mixture's Sauter mean, times a factor of the sphere's own size
+/// (dem/physics/drag_laws/unequal_spheres.hpp); a law of lone spheres has none.
 class Fluid {
 public:
   Fluid(const Scene& scene, const FlowField& field, PorosityStrips strips, LocalPorosity local = {});
@@ -84,6 +85,9 @@ private:
   /// Velocity and drag from those of a lone sphere to those of the particle's surroundings.
   void add_surroundings(const Particles& particles);
 
+  /// Coefficients in a mixture of sizes.
+  void add_unequal_sizes(const Particles& particles);
+
   void add_fluctuation(const Particles& particles);
   void add_vorticity(const Particles& particles);
 
@@ -110,6 +114,7 @@ private:
   double viscosity_, density_;
   const Kernels& kernels_;
   DragVelocity reading_;
+  double per_sauter_mean_;  // 1 / <d> where sizes differ and the drag law is that of a pack, else 0 [1/m]
   bool drag_, viscous_torque_;
   std::vector<double> ux_, uy_, uz_, coefficient_;
   std::vector<double> turn_, sx_, sy_, sz_;

@@ -36,8 +36,10 @@ struct Moved {
   none.store(first + 4, record_stride, used);
 }
 
-/// \tparam weighs  as the task's: without weights they cost nothing
-template <bool weighs>
+[[gnu::always_inline]] inline Lanes cubed(const Lanes& value) { return value * value * value; }
+
+/// \tparam weighs, floats  as the task's: without weights they cost nothing
+template <bool weighs, bool floats>
 [[gnu::flatten]] AdvanceTally advance_all(const AdvanceTask& given) {
   const AdvanceTask task = given;
   const ParticlePointers& p = task.particles;
@@ -64,6 +66,7 @@ template <bool weighs>
       const Lanes before = m.motion.c[a];
       Lanes external(task.body_force[a]);
       if constexpr (weighs) external += m.motion.c[3] * task.weight_per_mass[a];
+      if constexpr (floats) external -= cubed(m.place.c[3]) * task.buoyancy[a];
       const Lanes other = m.force.c[a] + external;
       const Lanes drag = task.drag ? c * (load_part(fluid[a] + from, used) - before) : Lanes(0.0);
       const Lanes after = before + share * rate * (other + drag);
@@ -97,7 +100,8 @@ template <bool weighs>
 }
 
 [[maybe_unused]] AdvanceTally advance(const AdvanceTask& task) {
-  return task.weighs ? advance_all<true>(task) : advance_all<false>(task);
+  if (task.floats) return advance_all<true, true>(task);
+  return task.weighs ? advance_all<true, false>(task) : advance_all<false, false>(task);
 }
 
 }  // namespace

@@ -122,6 +122,8 @@ struct AdvanceTask {
   double body_force[3];        ///< [N]
   double weight_per_mass[3];   ///< beside body_force, where it differs between particles [m/s2]
   bool weighs;                 ///< whether there is any
+  double buoyancy[3];          ///< against it, per cubed radius, where densities differ [N/m3]
+  bool floats;                 ///< whether there is any
   double kick, drift;          ///< [s]
   double mass, inertia;        ///< of every particle, if all are equal; else 0
   bool implicit_drag;

@@ -14,7 +14,7 @@ namespace {
 
 template <class... Laws>
 constexpr std::array<DragLaw, sizeof...(Laws)> make_rows() {
-  return {DragLaw{Laws::word, Laws::knows_slip, Laws::factor}...};
+  return {DragLaw{Laws::word, Laws::knows_slip, Laws::of_packs, Laws::factor}...};
 }
 
 constexpr auto drag_law_rows = make_rows<HoefDrag, StokesDrag, BeetstraDrag>();

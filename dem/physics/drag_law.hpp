@@ -10,6 +10,7 @@ namespace clogflow {
 struct DragLaw {
   std::string_view word;                  ///< what a scene calls it
   bool knows_slip;                        ///< whether it asks for the Reynolds number
+  bool of_packs;                          ///< whether neighbours change the drag, and so their sizes do
   double (*factor)(const Surroundings&);  ///< f, drag over that of a lone slow sphere [-]
 
   /// f of a pack without inertia of the fluid.

@@ -26,6 +26,16 @@ struct LubricationLaw {
   double farthest = 0;   ///< [m]
   bool clamp = false;    ///< hold the force of `nearest` below it, down to contact
 
+  /// Largest gap over R* where sizes differ, so that films reach in proportion to what they part; `farthest` is then
+  /// that of the largest. 0: `farthest` for all [-]
+  double per_radius = 0;
+
+  /// Largest gap with a film between spheres of R* [m].
+  template <class Real>
+  Real reach(const Real& radius) const {
+    return per_radius > 0 ? Real(per_radius) * radius : Real(farthest);
+  }
+
   /// Smallest gap with a film [m].
   double least() const { return clamp ? 0 : nearest; }
 };
@@ -36,7 +46,7 @@ struct LubricationLaw {
 template <class Real>
 Real film_coefficient(const LubricationLaw& law, const Real& radius, const Real& gap, const Real& share) {
   const Real film = max(gap, Real(law.nearest));
-  return select(gap <= Real(law.farthest) && gap >= Real(law.least()),
+  return select(gap <= law.reach(radius) && gap >= Real(law.least()),
                 lubrication_coefficient(law.viscosity, radius, film * share), Real(0.0));
 }
 

@@ -5,9 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "coupling/base/units.hpp"
 #include "coupling/flow/flow_reach.hpp"
 #include "coupling/flow/flow_rescale.hpp"
 #include "coupling/geometry/channel_shape.hpp"
+#include "coupling/scene/particle_sizes.hpp"
 #include "dem/physics/dimensionless.hpp"
 #include "dem/physics/jkr.hpp"
 #include "dem/physics/laws/dmt.hpp"
@@ -39,14 +41,29 @@ constexpr const char *rolling = "rolling friction", *torsion = "torsion friction
 /// channel of 100 um they do, at 47 um (0.13) they do not; between these it was not tried.
 constexpr double ordering_room = 0.02;
 
+/// Spread of the diameters, standard deviation over mean, from which hard spheres do not crystallize: simulations and
+/// colloids give 5 to 12 %, and nothing ordered within the time of an experiment above 8 %.
+/// Pusey et al., Phil. Trans. R. Soc. A 367 (2009) 4993.
+constexpr double disorder = 0.08;
+
+double size_spread(const ParticleSizes& sizes) {
+  const double mean = sizes.moment(1);
+  return std::sqrt(std::max(0.0, sizes.moment(2) / (mean * mean) - 1));
+}
+
 /// A warning of layers that just fit an opening, or empty.
-std::string layers_warning(double opening, double diameter, const char* key) {
+std::string layers_warning(double opening, const Scene& scene, const char* key) {
+  const ParticleSizes sizes(scene.particles);
+  const double diameter = scene.particles.diameter;
+  if (size_spread(sizes) >= disorder) return {};
   const double layers = std::floor(opening / diameter + 1e-9), room = opening / diameter - layers;
   if (layers < 1 || room >= ordering_room) return {};
   return fmt::format(
       "{} holds {:.0f} whole layers with room for {:.3g} more: equal spheres may order like a crystal there, as no "
-      "suspension does; take a diameter a few per cent smaller",
-      key, layers, std::max(room, 0.0));
+      "suspension does; take a diameter a few per cent smaller{}",
+      key, layers, std::max(room, 0.0),
+      sizes.equal() ? ", or particles.size_spread = 0.08"
+                    : fmt::format(" or a spread of sizes of {} and more", disorder));
 }
 
 struct Judge {
@@ -134,6 +151,20 @@ void judge_contacts(const Scene& s, const Model& model, const Judge& term) {
   term({torsion, "mu_o", f.torsion, true, f.torsion > 0, decides});
 }
 
+/// What a run with several sizes is like.
+void judge_sizes(const Scene& s, const Model& model, Plan& plan) {
+  const ParticleSizes& sizes = model.sizes;
+  if (sizes.equal()) return;
+  const double spread = size_spread(sizes), ratio = sizes.largest() / sizes.smallest();
+  plan.terms.push_back({"unequal sizes", "standard deviation / mean of the diameter", spread, spread >= disorder, true,
+                        spread >= disorder ? "ends crystals" : "does not end crystals: that takes 0.08"});
+  plan.sizes_note = fmt::format(
+      "diameters from {} to {} (ratio {:.3g}) in {} kind{}: number mean {} (D/d and Stokes times), Sauter mean {} "
+      "(drag); the smallest decides the step",
+      short_length(sizes.smallest()), short_length(sizes.largest()), ratio, sizes.species(),
+      sizes.species() > 1 ? "s" : "", short_length(s.particles.diameter), short_length(sizes.sauter_mean()));
+}
+
 void judge_adhesion(const Scene& s, Plan& plan) {
   const auto& c = s.contact;
   if (!adheres(c)) return;
@@ -182,7 +213,7 @@ void estimate_cost(const Scene& s, const Model& model, Plan& plan) {
   if (s.inlet.enabled) {
     const double start = channel_start(s.geometry);
     plan.particles +=
-        (1 - pack_porosity) * channel_volume(s.geometry, start, 0) / sphere_volume(s.particles.diameter / 2);
+        (1 - pack_porosity) * channel_volume(s.geometry, start, 0) / ParticleSizes(s.particles).mean_volume();
     if (s.inlet.start != InletStart::empty)
       plan.filling_steps = filling_share * s.geometry.channel_length / s.flow_speed() / model.dt;
     if (s.inlet.start == InletStart::flowing) plan.filling_steps = flowing_time(s) / model.dt;
@@ -212,6 +243,7 @@ Plan make_plan(const Scene& scene) {
   judge_fluid(scene, Judge{plan});
   judge_contacts(scene, model, Judge{plan});
   judge_adhesion(scene, plan);
+  judge_sizes(scene, model, plan);
   judge_drag(scene, plan);
   plan.contact = scene.contact;
   judge_drive(scene, model, plan);
@@ -219,9 +251,9 @@ Plan make_plan(const Scene& scene) {
   estimate_cost(scene, model, plan);
   judge_flow(scene, plan);
   if (scene.geometry.present) {
-    plan.layers_note = layers_warning(scene.geometry.neck_height, scene.particles.diameter, "geometry.neck_height");
+    plan.layers_note = layers_warning(scene.geometry.neck_height, scene, "geometry.neck_height");
     if (plan.layers_note.empty())
-      plan.layers_note = layers_warning(scene.geometry.neck_width, scene.particles.diameter, "geometry.neck_width");
+      plan.layers_note = layers_warning(scene.geometry.neck_width, scene, "geometry.neck_width");
   }
   return plan;
 }

@@ -35,6 +35,7 @@ struct Plan {
   std::string drag_gap;                                  ///< what it leaves out, or empty
   std::vector<std::string> drive_notes, drive_warnings;  ///< on a flow that is not steady
   std::string law_note;                                  ///< on a law of adhesion that another would replace, or empty
+  std::string sizes_note;                                ///< on several sizes, or empty
   std::string layers_note;                               ///< on layers of spheres that just fit, or empty
   std::string walls_note;                                ///< on walls from a file, or empty
   double scaling_error = 0;  ///< of a creeping flow scaled to this rate, over the neck's mean velocity [-]

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "coupling/geometry/channel_shape.hpp"
+#include "coupling/scene/particle_sizes.hpp"
 #include "dem/physics/porosity.hpp"
 
 namespace clogflow {
@@ -22,7 +23,7 @@ double solids(const Scene& s, double strain) {
 }  // namespace
 
 std::int64_t particles_of_strain(const Scene& s, double strain) {
-  return std::max<std::int64_t>(1, std::llround(solids(s, strain) / sphere_volume(s.particles.diameter / 2)));
+  return std::max<std::int64_t>(1, std::llround(solids(s, strain) / ParticleSizes(s.particles).mean_volume()));
 }
 
 double longest_flow(const Scene& s, double strain) {

@@ -18,7 +18,8 @@ DeepContact deepest_contact(const RunState& state) {
   const auto& p = state.particles;
   DeepContact worst;
   const auto look = [&](int i, int j, double overlap) {
-    if (!(overlap <= worst.overlap)) worst = {i, j, overlap};
+    const double share = overlap / (2 * (j < 0 ? p[i].radius : std::min(p[i].radius, p[j].radius)));
+    if (!(share <= worst.share)) worst = {i, j, overlap, share};
   };
   const ContactSet& pairs = state.lists.pairs.contacts;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
@@ -34,11 +35,10 @@ DeepContact deepest_contact(const RunState& state) {
 std::string contact_words(const RunState& state, const DeepContact& contact) {
   const auto& p = state.particles;
   const ParticleState& at = p[contact.particle];
-  const double smaller = contact.other < 0 ? at.radius : std::min(at.radius, p[contact.other].radius);
   return fmt::format("particle {} at ({:.4g}, {:.4g}, {:.4g}) m overlaps {} by {:.3g} m, {:.2g} of its diameter",
                      p.id[contact.particle], at.x, at.y, at.z,
                      contact.other < 0 ? "a wall" : fmt::format("particle {}", p.id[contact.other]), contact.overlap,
-                     contact.overlap / (2 * smaller));
+                     contact.share);
 }
 
 int fastest_particle(const RunState& state) {
@@ -60,7 +60,7 @@ std::string remedy(const RunState& state, const ParticleState& worst) {
            std::string(state.model.step_key());
   // A force of the first step may be the start's or the step's: only a start that is too deep is known to be the
   // start's.
-  if (state.particle_steps == 0 && state.largest_overlap() > deepest_overlap * 2 * state.lists.pairs.smallest_radius)
+  if (state.particle_steps == 0 && deepest_contact(state).share > deepest_overlap)
     return "it begins so: move particles apart, or away from the walls";
   const Scene::Contact& contact = state.model.scene.contact;
   return fmt::format("lower {}{}{}", state.model.step_key(), adheres(contact) ? ", " : " or ", overlap_remedy(contact));

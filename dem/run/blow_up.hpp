@@ -11,7 +11,9 @@ namespace clogflow {
 struct DeepContact {
   int particle = 0, other = -1;  ///< other < 0: a wall
   double overlap = 0;            ///< [m]
+  double share = 0;              ///< of the smaller one's diameter [-]
 };
+/// By its share.
 DeepContact deepest_contact(const RunState& state);
 
 /// "particle 3 at (...) m overlaps a wall by ..."

@@ -157,7 +157,7 @@ void EnergyAccount::add_particles(const RunState& state) {
   for (int i = 0; i < static_cast<int>(state.count()); ++i) {
     const ParticleState& p = state.particles[i];
     const Vec3 velocity = velocity_now(state, i);
-    const Vec3 body = external_force(model_.scene, p.mass);
+    const Vec3 body = external_force(model_.scene, p.mass, p.radius);
     power_.body_force += dot(body, velocity);
     if (!fluid.drag) continue;
     const Vec3 other = Vec3{p.fx, p.fy, p.fz} + body;

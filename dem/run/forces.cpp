@@ -62,11 +62,17 @@ AdvanceTask advance_task(RunState& state) {
   task.particles = pointers(state.particles);
   state.fluid.attach(task);
   const double equal_mass = state.lists.pairs.equal_mass;
-  const Vec3 external = external_force(s, equal_mass);
+  const bool mixed = mixes_densities(s);
+  const Vec3 external =
+      equal_mass > 0 ? external_force(s, equal_mass, state.lists.pairs.equal_radius) : Vec3(s.body_force);
   for (int a = 0; a < 3; ++a) {
     task.body_force[a] = std::array{external.x, external.y, external.z}[a];
-    task.weight_per_mass[a] = equal_mass > 0 ? 0 : weight_per_mass(s, s.gravity[a]);
-    task.weighs = task.weighs || task.weight_per_mass[a] != 0;
+    if (equal_mass > 0 || s.gravity[a] == 0) continue;
+    task.weighs = true;
+    task.floats = mixed;
+    task.weight_per_mass[a] =
+        mixed ? s.gravity[a] / s.time.mass_scale : weight_per_mass(s, s.gravity[a], s.particles.density);
+    task.buoyancy[a] = mixed ? buoyancy_per_cube(s, s.gravity[a]) : 0;
   }
   task.kick = state.clock.kick();
   task.drift = state.clock.dt();

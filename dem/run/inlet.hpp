@@ -14,8 +14,11 @@ namespace clogflow {
 /// Inserts spheres at random places in a slab at the left end, as many as fit or as a rate allows, never overlapping
 /// another sphere or a wall. Attempts are bounded per call and counted.
 ///
-/// A concentration phi is a rate, phi q / V of spheres of volume V in the flow rate q; what finds no room waits. Each
-/// place is then taken in proportion to the flow there, so that a suspension of the same concentration everywhere
+/// Where sizes differ, each next particle is drawn once and kept until it finds room: what enters has the distribution
+/// asked for, whatever room there is. What it neglects: a large one that waits holds up the small ones after it.
+///
+/// A concentration phi is a rate, phi q / V of spheres of mean volume V in the flow rate q; what finds no room waits.
+/// Each place is then taken in proportion to the flow there, so that a suspension of the same concentration everywhere
 /// enters. Neglects that no centre comes nearer to a wall than a radius.
 class Inlet {
 public:
@@ -35,7 +38,8 @@ public:
   /// Tries to insert at time t, at the flow's present speed. \return number inserted
   int insert(Particles& particles, const Fluid& fluid, RandomStream& random, double time);
 
-  /// Fills the straight channel at random, loosely: the flow then packs it against the gate.
+  /// Fills the straight channel at random, loosely: the flow then packs it against the gate. Where sizes differ, a
+  /// sample of the feed is put there whole, the largest first; where it finds no room, a smaller one is tried.
   void scatter(Particles& particles, RandomStream& random);
 
   std::int64_t inserted() const { return next_id_; }
@@ -57,15 +61,24 @@ public:
   bool valid() const {
     constexpr std::int64_t most = std::int64_t{1} << 60;
     return next_id_ >= 0 && next_id_ < most && refused_ >= 0 && refused_ < most && fed_ >= 0 && fed_ < most &&
-           finite_from_zero(last_fed_);
+           finite_from_zero(last_fed_) && is_valid(next_);
   }
 
   template <class Archive>
   void exchange(Archive& archive) {
-    archive(next_id_, refused_, fed_, last_fed_);
+    archive(next_id_, refused_, fed_, last_fed_, next_.diameter, next_.species);
   }
 
 private:
+  bool carries(const Fluid& fluid, const Vec3& place, RandomStream& random);
+  bool is_valid(const ParticleSizes::Drawn& drawn) const;
+  ParticleSizes::Drawn draw(RandomStream& random) const;
+  /// The one to come in, drawn if there is none.
+  void choose_next(RandomStream& random);
+  void put(Particles& particles, const ParticleSizes::Drawn& drawn, const Vec3& place);
+  /// \return number placed before the attempts ended
+  std::size_t scatter_some(Particles& particles, const std::vector<ParticleSizes::Drawn>& wanted, RandomStream& random);
+
   const Model* model_;
   bool enabled_;
   /// What rate_ counts by: the liquid that a concentration came in with, or the time. [s]
@@ -73,7 +86,7 @@ private:
     return model_->scene.inlet.concentration > 0 ? fluid.drive().carried(time) : time;
   }
   bool fits_round(const Vec3& place, double radius) const;
-  bool carries(const Fluid& fluid, const Vec3& place, RandomStream& random);
+  ParticleSizes::Drawn next_{0, 0};  // diameter 0: none is drawn yet
 
   double interval_ = 0, rate_;
   double fastest_ = 0;  // of the flow in the slab, where places are taken in proportion to it [m/s]

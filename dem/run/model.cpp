@@ -38,12 +38,14 @@ constexpr double most_steps = 1e18;
 
 void choose_step(Model& model, const std::vector<Particle>& initial) {
   const Scene& s = model.scene;
-  double smallest = s.particles.diameter;
-  for (const Particle& p : initial) smallest = std::min(smallest, 2 * p.radius);
   const double speed = collision_speed(s, initial);
-  const Impact impact{s.particles.density * s.time.mass_scale, smallest, speed};
-  if (speed > 0)
-    model.contact_time = std::min(model.laws.pair.contact_time(impact), model.laws.wall.contact.contact_time(impact));
+  for (std::size_t k = 0; speed > 0 && k < model.sizes.species(); ++k) {
+    double smallest = model.sizes.of(k).smallest();
+    for (const Particle& p : initial) smallest = std::min(smallest, 2 * p.radius);
+    const Impact impact{model.sizes.density(k) * s.time.mass_scale, smallest, speed};
+    const double time = std::min(model.laws.pair.contact_time(impact), model.laws.wall.contact.contact_time(impact));
+    model.contact_time = k == 0 ? time : std::min(model.contact_time, time);
+  }
   model.dt = s.time.step;
   if (model.dt == 0) {
     require(speed > 0,
@@ -102,7 +104,7 @@ constexpr double most_particles = 1e8;
 void check_count(const Scene& s) {
   if (!s.inlet.enabled || !s.geometry.present) return;
   const double count =
-      channel_volume(s.geometry, channel_start(s.geometry), 0) / sphere_volume(s.particles.diameter / 2);
+      channel_volume(s.geometry, channel_start(s.geometry), 0) / ParticleSizes(s.particles).mean_volume();
   require(count < most_particles,
           "particles.diameter = {} m (the channel would hold {:.2g} particles, more than {:.0g}): raise it",
           s.particles.diameter, count, most_particles);
@@ -118,7 +120,11 @@ const char* Model::step_key() const {
   return shared ? "time.contact_limit_share" : "time.step_fraction";
 }
 
-Particle Model::particle(double radius) const { return particle_at_rest(scene, radius); }
+Particle Model::particle(const ParticleSizes::Drawn& drawn) const {
+  Particle particle = particle_at_rest(scene, drawn.diameter / 2, sizes.density(drawn.species));
+  particle.species = drawn.species;
+  return particle;
+}
 
 StepLimits expected_limits(const Model& model, const std::vector<Particle>& initial) {
   return expected_limits({.scene = model.scene,
@@ -147,13 +153,20 @@ Model make_model(const Scene& scene, const FlowGrid* flow, const std::vector<Par
   }
   Model model;
   model.scene = scene;
+  model.sizes = ParticleSizes(scene.particles);
   model.laws = make_laws(scene);
-  double largest = scene.particles.diameter / 2;
+  double largest = model.sizes.largest() / 2;
   for (const Particle& p : initial) largest = std::max(largest, p.radius);
   model.reach = {
       skin_share * scene.particles.diameter,
       std::max({model.laws.film.farthest, model.laws.pair.reach(largest / 2), model.laws.wall.contact.reach(largest)})};
-  model.largest_radius = scene.inlet.enabled ? scene.particles.diameter / 2 : 0;
+  if (!model.sizes.equal()) {
+    // Contacts that stick reach less than in proportion to their size.
+    const double least = smallest_radius(scene, initial) / 2;
+    model.reach.by_size = true;
+    model.reach.per_radius = std::max(model.laws.film.per_radius, model.laws.pair.reach(least) / least);
+  }
+  model.largest_radius = scene.inlet.enabled ? model.sizes.largest() / 2 : 0;
   for (const Particle& p : initial) model.largest_radius = std::max(model.largest_radius, p.radius);
   model.factors = flow_factors(scene, flow);
   build_walls(model, flow);

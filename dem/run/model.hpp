@@ -5,6 +5,7 @@
 
 #include "coupling/files/flow_grid.hpp"
 #include "coupling/geometry/wall_outlines.hpp"
+#include "coupling/scene/particle_sizes.hpp"
 #include "coupling/scene/scene.hpp"
 #include "dem/contact/laws.hpp"
 #include "dem/contact/neighbours.hpp"
@@ -22,6 +23,7 @@ struct Domain {
 
 struct Model {
   Scene scene;
+  ParticleSizes sizes;
   Laws laws;
   Reach reach;
   Walls walls, gate;               ///< the gate closes the neck while the channel is filled
@@ -39,7 +41,7 @@ struct Model {
   const char* step_key() const;
 
   /// A particle at rest, masses scaled as the scene says.
-  Particle particle(double radius) const;
+  Particle particle(const ParticleSizes::Drawn& drawn) const;
 };
 
 /// \param flow  nullptr unless flow.source is "openfoam"

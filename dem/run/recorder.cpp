@@ -104,6 +104,7 @@ void Recorder::snapshot(const RunState& state) {
   for (int i : order) {
     snapshot.id.push_back(p.id[i]);
     snapshot.radius.push_back(p[i].radius);
+    if (!state.model.sizes.equal()) snapshot.species.push_back(p.species[i]);
     put(snapshot.position, p[i].position());
     put(snapshot.velocity, velocity_now(state, i));
     put(snapshot.spin, spin_now(state, i));
@@ -121,6 +122,10 @@ void Recorder::find_passages(RunState& state) {
     data.passages.y.push_back(p[i].y - since * p[i].vy);
     data.passages.z.push_back(p[i].z - since * p[i].vz);
     data.passages.friction_off.push_back(state.clog_watch.friction_off());
+    if (!state.model.sizes.equal()) {
+      data.passages.radius.push_back(p[i].radius);
+      data.passages.species.push_back(p.species[i]);
+    }
     state.clog_watch.passed(state.flow_time());
   }
 }

@@ -40,8 +40,8 @@ bool rests_for_good(const RunState& state) {
   if (quantile(speeds, slow_majority) > rest_speed_share * flow) return false;
   std::vector<double> forces;
   for (const int i : upstream) {
-    const double drive =
-        stokes_coefficient(s.fluid.viscosity, 2 * p[i].radius) * flow + size_of(external_force(s, p[i].mass));
+    const double drive = stokes_coefficient(s.fluid.viscosity, 2 * p[i].radius) * flow +
+                         size_of(external_force(s, p[i].mass, p[i].radius));
     forces.push_back(size_of(total_force(state, i)) / drive);
   }
   return quantile(forces, slow_majority) <= rest_force_share;

@@ -26,7 +26,7 @@ RunState::RunState(const Model& constant, Fluid surrounding, std::uint64_t seed_
   std::int64_t id = 0;
   for (const Particle& given : initial) {
     Particle particle = given;
-    const Particle at_rest = model.particle(given.radius);
+    const Particle at_rest = model.particle({2 * given.radius, given.species});
     particle.id = id++;
     particle.mass = at_rest.mass, particle.inertia = at_rest.inertia;
     particles.add(particle);
@@ -41,7 +41,8 @@ void RunState::place_walls() {
 }
 
 const char* RunState::damaged_part() const {
-  if (!particles.valid(model.largest_radius)) return "particles";
+  const auto known = [&](std::uint8_t kind) { return kind < model.sizes.species(); };
+  if (!particles.valid(model.largest_radius) || !std::ranges::all_of(particles.species, known)) return "particles";
   if (!lists.valid(count())) return "contacts";
   if (!fluid.strips().valid() || !fluid.local().valid()) return "porosity";
   if (!fluid.noise().valid()) return "random factors on the flow";

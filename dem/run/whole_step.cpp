@@ -6,7 +6,7 @@ namespace clogflow {
 Vec3 total_force(const RunState& state, int i) {
   const auto& p = state.particles;
   const auto& scene = state.model.scene;
-  const Vec3 other = Vec3{p[i].fx, p[i].fy, p[i].fz} + external_force(scene, p[i].mass);
+  const Vec3 other = Vec3{p[i].fx, p[i].fy, p[i].fz} + external_force(scene, p[i].mass, p[i].radius);
   const Vec3 velocity = p[i].velocity();
   return other + (scene.time.integrator == Integrator::verlet
                       ? state.fluid.drag_force(i, velocity)

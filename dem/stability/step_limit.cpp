@@ -8,6 +8,7 @@
 
 #include "coupling/base/require.hpp"
 #include "coupling/geometry/channel_shape.hpp"
+#include "coupling/scene/particle_sizes.hpp"
 #include "dem/fluid/fluid.hpp"
 #include "dem/physics/contact_laws.hpp"
 #include "dem/physics/dimensionless.hpp"
@@ -24,11 +25,37 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-double smallest_radius(const Scene& scene, const std::vector<Particle>& initial) {
-  double radius = initial.empty() || scene.inlet.enabled ? scene.particles.diameter / 2 : infinite;
-  for (const Particle& p : initial) radius = std::min(radius, p.radius);
-  return radius;
+/// Of the scene's kinds, or of the particles given.
+bool comes_from_scene(const Scene& scene, const std::vector<Particle>& initial) {
+  return initial.empty() || scene.inlet.enabled;
 }
+
+/// The smallest of every kind, and of the particles given.
+std::vector<Particle> smallest_spheres(const Scene& scene, const std::vector<Particle>& initial) {
+  const ParticleSizes sizes(scene.particles);
+  const double radius = smallest_radius(scene, initial);
+  if (sizes.equal() || !comes_from_scene(scene, initial)) return {particle_at_rest(scene, radius)};
+  std::vector<Particle> spheres;
+  for (std::size_t k = 0; k < sizes.species(); ++k)
+    spheres.push_back(particle_at_rest(scene, sizes.of(k).smallest() / 2, sizes.density(k)));
+  for (const Particle& p : initial)
+    if (p.radius == radius) spheres.push_back(particle_at_rest(scene, radius));
+  return spheres;
+}
+
+/// What the smallest spheres meet: the largest of the scene, or one like themselves.
+Particle largest_neighbour(const Scene& scene, const std::vector<Particle>& initial, const Particle& sphere) {
+  const ParticleSizes sizes(scene.particles);
+  if (sizes.equal() || !comes_from_scene(scene, initial)) return sphere;
+  double density = 0;
+  for (std::size_t k = 0; k < sizes.species(); ++k) density = std::max(density, sizes.density(k));
+  return particle_at_rest(scene, sizes.largest() / 2, density);
+}
+
+double effective_radius(const Particle& a, const Particle& b) { return a.radius * b.radius / (a.radius + b.radius); }
+
+/// 1 / m of two that approach each other: 2 / m of equal ones.
+double mobility(const Particle& a, const Particle& b) { return 1 / a.mass + 1 / b.mass; }
 
 bool knows_porosity(const Scene& s) { return s.porosity.strips > 0 || s.porosity.method == PorosityMethod::local; }
 
@@ -39,16 +66,33 @@ double narrowed(const Scene& s) { return knows_porosity(s) ? 1 / pack_porosity :
 
 bool is_mixture(const Scene& s) { return s.drag.velocity == DragVelocity::mixture; }
 
+/// Weight less buoyancy, along gravity [N]
+double external_weight(const Scene& s, const Particle& sphere) {
+  const double gravity = Vec3(s.gravity.data()).norm();
+  if (!mixes_densities(s)) return sphere.mass * weight_per_mass(s, gravity, s.particles.density);
+  const double cube = sphere.radius * sphere.radius * sphere.radius;
+  return sphere.mass * gravity / s.time.mass_scale - cube * buoyancy_per_cube(s, gravity);
+}
+
+/// Drag of a lone sphere of the Sauter mean, times the squared ratio of sizes: among unequal spheres contacts carry a
+/// pressure, so that overlaps over diameters are equal. An assumption, as arch_load is. [N]
+double shared_load(const Scene& s, double d) {
+  const double v = s.flow_speed(), mean = ParticleSizes(s.particles).sauter_mean();
+  return stokes_coefficient(s.fluid.viscosity, mean) * v * (d / mean) * (d / mean);
+}
+
 double expected_overlap(const StepScene& asked, const Particle& sphere, const std::vector<Particle>& initial) {
   const Scene& s = asked.scene;
   const double d = 2 * sphere.radius, v = asked.factors.load * s.flow_speed();
   double impact = asked.factors.fastest * collision_speed_share * s.flow_speed();
   for (const Particle& p : initial) impact = std::max(impact, p.velocity().norm());
-  const double weight = sphere.mass * weight_per_mass(s, Vec3(s.gravity.data()).norm());
+  const double weight = external_weight(s, sphere);
   double load = arch_load * (Vec3(s.body_force.data()).norm() + std::abs(weight));
   if (s.drag.enabled)
-    load +=
-        arch_load * voidage(s) * stokes_coefficient(s.fluid.viscosity, d) * v / (knows_porosity(s) ? pack_porosity : 1);
+    load += ParticleSizes(s.particles).equal()
+                ? arch_load * voidage(s) * stokes_coefficient(s.fluid.viscosity, d) * v /
+                      (knows_porosity(s) ? pack_porosity : 1)
+                : arch_load * voidage(s) * shared_load(s, d) / (knows_porosity(s) ? pack_porosity : 1);
   return std::max(asked.laws.pair.impact_overlap(sphere.mass / 2, impact, d / 4),
                   asked.laws.pair.overlap_at(load, d / 4));
 }
@@ -83,16 +127,20 @@ double fastest_way(const StepScene& asked, const std::vector<Particle>& initial)
 
 /// A sphere between two walls' worth of contacts: one wall and five neighbours along the axes, the densest
 /// load that a pack offers; all at the same overlap.
-double pack_limit(const StepScene& asked, const Particle& sphere, double overlap) {
+double pack_limit(const StepScene& asked, const Particle& sphere, const Particle& neighbour, double overlap) {
   Particles p;
-  for (int k = 0; k < 6; ++k) p.add(sphere);
+  p.add(sphere);
+  for (int k = 0; k < 5; ++k) p.add(neighbour);
+  const bool equal = sphere.radius == neighbour.radius && sphere.mass == neighbour.mass;
+  const double mass = equal ? sphere.mass / 2 : 1 / mobility(sphere, neighbour);
   NetworkLimit network(p);
   const double r = sphere.radius;
   const Vec3 axes[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}};
   for (int k = 0; k < 5; ++k)
-    network.add_contact(0, k + 1,
-                        asked.laws.pair.modes(asked.laws.pair_terms,
-                                              PairPlace<double>{axes[k], r, r}.contact(1, overlap, sphere.mass / 2)));
+    network.add_contact(
+        0, k + 1,
+        asked.laws.pair.modes(asked.laws.pair_terms,
+                              PairPlace<double>{axes[k], r, neighbour.radius}.contact(1, overlap, mass)));
   if (asked.has_walls)
     network.add_contact(
         0, -1, asked.laws.wall.contact.modes(asked.laws.wall.terms, wall_contact({0, 0, -1}, overlap, r, sphere.mass)));
@@ -101,11 +149,20 @@ double pack_limit(const StepScene& asked, const Particle& sphere, double overlap
 
 }  // namespace
 
+double smallest_radius(const Scene& scene, const std::vector<Particle>& initial) {
+  double radius = comes_from_scene(scene, initial) ? ParticleSizes(scene.particles).smallest() / 2 : infinite;
+  for (const Particle& p : initial) radius = std::min(radius, p.radius);
+  return radius;
+}
+
 double StepLimits::smallest() const { return std::min({drag, lubrication, contacts}); }
 
-StepLimits expected_limits(const StepScene& asked, const std::vector<Particle>& initial) {
+namespace {
+
+StepLimits limits_of(const StepScene& asked, const Particle& sphere, const std::vector<Particle>& initial) {
   const Scene& s = asked.scene;
-  const Particle sphere = particle_at_rest(s, smallest_radius(s, initial));
+  const Particle neighbour = largest_neighbour(s, initial, sphere);
+  const bool equal = ParticleSizes(s.particles).equal();
   const double d = 2 * sphere.radius;
   const double shear = s.contact.youngs_modulus / (2 * (1 + s.contact.poisson_ratio));
   StepLimits limits;
@@ -121,7 +178,11 @@ StepLimits expected_limits(const StepScene& asked, const std::vector<Particle>& 
         0, (is_mixture(s) ? narrowed(s) : 1) * voidage(s) * stokes_coefficient(s.fluid.viscosity, d) / sphere.mass);
   if (asked.laws.film.viscosity > 0 && s.time.integrator != Integrator::implicit_fluid) {
     const auto& film = asked.laws.film;
-    limits.lubrication = stable_step(0, 2 * lubrication_coefficient(film.viscosity, d / 4, film.nearest) / sphere.mass);
+    limits.lubrication =
+        equal ? stable_step(0, 2 * lubrication_coefficient(film.viscosity, d / 4, film.nearest) / sphere.mass)
+              : stable_step(
+                    0, mobility(sphere, neighbour) *
+                           lubrication_coefficient(film.viscosity, effective_radius(sphere, neighbour), film.nearest));
     if (asked.laws.wall.lubrication.viscosity > 0)
       limits.lubrication =
           std::min(limits.lubrication,
@@ -130,11 +191,33 @@ StepLimits expected_limits(const StepScene& asked, const std::vector<Particle>& 
   const double overlap = expected_overlap(asked, sphere, initial);
   limits.expected_overlap = overlap / d;
   if (overlap > 0) {
-    limits.contacts = pack_limit(asked, sphere, overlap);
+    limits.contacts = pack_limit(asked, sphere, sphere, overlap);
+    if (!equal) limits.contacts = std::min(limits.contacts, pack_limit(asked, sphere, neighbour, overlap));
     limits.impact = impact_limit(asked.laws, sphere, overlap);
   }
   limits.films_brake = films_brake(asked, d);
   return limits;
+}
+
+}  // namespace
+
+StepLimits expected_limits(const StepScene& asked, const std::vector<Particle>& initial) {
+  StepLimits all;
+  bool first = true;
+  for (const Particle& sphere : smallest_spheres(asked.scene, initial)) {
+    const StepLimits own = limits_of(asked, sphere, initial);
+    if (first) {
+      all = own;
+      first = false;
+      continue;
+    }
+    for (auto limit : {&StepLimits::rayleigh_time, &StepLimits::drag, &StepLimits::lubrication, &StepLimits::contacts,
+                       &StepLimits::impact, &StepLimits::passing})
+      all.*limit = std::min(all.*limit, own.*limit);
+    all.expected_overlap = std::max(all.expected_overlap, own.expected_overlap);
+    all.films_brake = all.films_brake && own.films_brake;
+  }
+  return all;
 }
 
 std::string limit_words(const StepLimits& l, double dt) {

@@ -52,8 +52,12 @@ struct StepChoice {
   const Scene::Contact& contact;  ///< decides what is to be made stiffer or softer
 };
 
-/// Limits that follow from the scene alone. The load is the larger of a collision at 0.1 v (or of the fastest
-/// initial particle) and the drag and body force of an arch.
+/// Of any particle that comes into the scene or begins in it [m]
+double smallest_radius(const Scene& scene, const std::vector<Particle>& initial);
+
+/// Limits that follow from the scene alone: of the smallest of every species, among themselves and among the largest.
+/// The load is the larger of a collision at 0.1 v (or of the fastest initial particle) and the drag and body force of
+/// an arch.
 StepLimits expected_limits(const StepScene& asked, const std::vector<Particle>& initial);
 
 /// "dt = 7e-8 s: dt/tau_Hertz 0.02, ... dt/contacts 0.3"

@@ -94,9 +94,13 @@ InitialParticles read_initial_file(const Scene& scene) {
 std::vector<Particle> read_initial_particles(const Scene& scene) { return read_initial_file(scene).particles; }
 
 Particle particle_at_rest(const Scene& scene, double radius) {
+  return particle_at_rest(scene, radius, scene.particles.density);
+}
+
+Particle particle_at_rest(const Scene& scene, double radius, double density) {
   Particle p;
   p.radius = radius;
-  p.mass = scene.particles.density * sphere_volume(radius) * scene.time.mass_scale;
+  p.mass = density * sphere_volume(radius) * scene.time.mass_scale;
   p.inertia = 0.4 * p.mass * radius * radius * scene.time.rotational_inertia_scale;
   return p;
 }

@@ -27,5 +27,6 @@ std::vector<Particle> read_initial_particles(const Scene& scene);
 
 /// A sphere at rest, its mass and moment of inertia scaled as the scene says.
 Particle particle_at_rest(const Scene& scene, double radius);
+Particle particle_at_rest(const Scene& scene, double radius, double density);
 
 }  // namespace clogflow

@@ -26,11 +26,12 @@ bool Particles::valid(double largest_radius) const {
       if (!std::isfinite(value)) return false;
     return s.radius > 0 && s.mass > 0 && s.inertia > 0 && s.radius <= largest_radius;
   };
-  return states.size() == size() && passed.size() == size() && std::ranges::all_of(states, possible);
+  return states.size() == size() && passed.size() == size() && species.size() == size() &&
+         std::ranges::all_of(states, possible);
 }
 
 void Particles::add(const Particle& p) {
-  expect(states.size() == size() && passed.size() == size());
+  expect(states.size() == size() && passed.size() == size() && species.size() == size());
   id.push_back(p.id);
   ParticleState state;
   state.x = p.x, state.y = p.y, state.z = p.z, state.radius = p.radius;
@@ -38,6 +39,7 @@ void Particles::add(const Particle& p) {
   state.wx = p.wx, state.wy = p.wy, state.wz = p.wz, state.inertia = p.inertia;
   states.push_back(state);
   passed.push_back(0);
+  species.push_back(static_cast<std::uint8_t>(p.species));
 }
 
 void Particles::clear_loads() {
@@ -48,6 +50,7 @@ void Particles::reorder(const std::vector<int>& order) {
   gather(id, order);
   gather(states, order);
   gather(passed, order);
+  gather(species, order);
 }
 
 double half_step_energy(const Particles& p) {

@@ -12,6 +12,7 @@ namespace clogflow {
 /// A particle to be added.
 struct Particle {
   std::int64_t id = 0;
+  int species = 0;                ///< place in particles.species
   double radius = 0;              ///< [m]
   double mass = 0;                ///< inertial, mass scale included [kg]
   double inertia = 0;             ///< moment of inertia, both scales included [kg m2]
@@ -32,6 +33,7 @@ struct Particles {
   std::vector<std::int64_t> id;  ///< never used twice in a run
   std::vector<ParticleState> states;
   std::vector<std::uint8_t> passed;  ///< 1 once the passage plane was crossed
+  std::vector<std::uint8_t> species;
 
   std::size_t size() const { return id.size(); }
   const ParticleState& operator[](std::size_t i) const { return states[i]; }
@@ -39,7 +41,7 @@ struct Particles {
 
   template <class Archive>
   void exchange(Archive& archive) {
-    archive(id, states, passed);
+    archive(id, states, passed, species);
   }
 
   /// Whether particles read from a file have all their numbers, none of them impossible.

@@ -34,6 +34,20 @@ SteadyState steady_state(const RunData& run, const Window& window) {
   return steady;
 }
 
+PassedSizes passed_sizes(const RunData& run, const Window& window) {
+  PassedSizes sizes;
+  for (std::size_t i = 0; i < run.passages.radius.size(); ++i) {
+    const auto species = run.passages.species[i];
+    if (run.passages.time[i] < window.start || species < 0 || species >= static_cast<std::int64_t>(most_species))
+      continue;
+    const auto k = static_cast<std::size_t>(species);
+    if (sizes.of_species.size() <= k) sizes.of_species.resize(k + 1, 0);
+    ++sizes.of_species[k];
+    sizes.diameters += 2 * run.passages.radius[i];
+  }
+  return sizes;
+}
+
 bool fills_behind_a_gate(const Scene& scene) { return scene.inlet.enabled && scene.inlet.start != InletStart::empty; }
 
 std::vector<Burst> bursts_of(const RunData& run, const Scene& scene, const ClogScale& scale, const SeedRecord& record) {
@@ -89,6 +103,7 @@ SeedRecord record_of(const RunData& run, const Scene& scene, const ClogScale& sc
     ++record.passages;
     record.while_off += run.passages.friction_off[i];
   }
+  record.sizes = passed_sizes(run, record.window);
   record.lapses = lapses_of(run, record.window);
   record.releases = run.releases.off.size();
   record.first_burst = first_burst_of(run, scene, record.window, scale.tau);

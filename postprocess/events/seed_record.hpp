@@ -33,6 +33,12 @@ struct SteadyState {
   std::size_t samples = 0;       ///< rows of the series it rests on; 0: the rest is NaN
 };
 
+/// Of the passages in the window that say their size: none where all particles are equal.
+struct PassedSizes {
+  std::vector<double> of_species;  ///< passages of each
+  double diameters = 0;            ///< their sum [m]
+};
+
 struct SeedRecord {
   std::uint64_t seed = 0;
   std::filesystem::path file;
@@ -41,6 +47,7 @@ struct SeedRecord {
   std::size_t passages = 0;   ///< in the window, those while friction was off included
   std::size_t while_off = 0;  ///< passages while friction was off
   std::size_t releases = 0;
+  PassedSizes sizes;
   std::vector<Lapse> lapses;
   std::vector<Burst> bursts;  ///< as the scene's unclog.protocol defines them
   FirstBurst first_burst;

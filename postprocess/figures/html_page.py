@@ -117,6 +117,31 @@ def first_bursts(groups):
     return rows
 
 
+def sizes(groups):
+    """Which particles passed, where they differ."""
+    known = [group.get("sizes") for group in groups]
+    if not any(known):
+        return []
+
+    def row(name, cell):
+        return [name, *["–" if each is None else cell(each) for each in known]]
+
+    def mean(each):
+        entry = each["passage_diameter"]
+        in_um = {k: 1e6 * v if isinstance(v, float) else v for k, v in entry.items()}
+        return Markup(f"{interval(in_um)} {quiet('of %.4g' % (1e6 * each['feed_diameter']))}")
+
+    rows = [row("mean diameter of passages [µm] (of the feed)", mean)]
+    for k in range(max(len(each["species"]) for each in known if each)):
+        def share(each, k=k):
+            if k >= len(each["species"]):
+                return "–"
+            kind = each["species"][k]
+            return Markup(f"{interval(kind['passage_share'])} {quiet('of %.3g; %.4g µm, %d passages' % (kind['feed_share'], 1e6 * kind['diameter'], kind['passages']))}")
+        rows.append(row(f"share of species {k} in the passages (in the feed)", share))
+    return rows
+
+
 def law_of_first(geometric):
     if "tail" not in geometric:
         return ruling(geometric)
@@ -152,6 +177,7 @@ def summary(groups):
         rows.append([entry["meaning"] + unit, *[headline(g["quantities"][key]) for g in groups]])
     rows.append(["geometric law of the burst sizes", *[memoryless(g) for g in groups]])
     rows += first_bursts(groups)
+    rows += sizes(groups)
     rows.append(["particles, steady", *[interval(g["steady"]["particles"]) for g in groups]])
     rows.append(["packing fraction, steady", *[interval(g["steady"]["packing_fraction"]) for g in groups]])
     for strip in range(max(len(g["steady"]["porosity"]) for g in groups)):

@@ -43,6 +43,9 @@ const json units{{"tau", "s"},
                  {"lower", "m"},
                  {"fluid", "m"},
                  {"diameter", "m"},
+                 {"feed_diameter", "m"},
+                 {"passage_diameter", "m"},
+                 {"density", "kg/m3"},
                  {"mean_velocity", "m/s"}};
 
 json as_json(const SeedRecord& record) {
@@ -111,6 +114,20 @@ json as_json(const SteadyStatistics& statistics) {
               {"porosity", json::array()}};
   for (const Estimate& strip : statistics.porosity) steady["porosity"].push_back(as_json(strip));
   return steady;
+}
+
+json as_json(const SizeStatistics& sizes) {
+  json all{{"feed_diameter", sizes.feed_diameter},
+           {"feed_spread", sizes.feed_spread},
+           {"passage_diameter", as_json(sizes.passage_diameter)},
+           {"species", json::array()}};
+  for (const SpeciesStatistics& each : sizes.species)
+    all["species"].push_back({{"diameter", each.diameter},
+                              {"density", each.density},
+                              {"feed_share", each.feed_share},
+                              {"passages", each.passages},
+                              {"passage_share", as_json(each.passage_share)}});
+  return all;
 }
 
 json geometry(const Scene& scene) {
@@ -192,6 +209,7 @@ json as_json(const RunGroup& group, const GroupStatistics& numbers) {
              {"notes", numbers.notes}};
   for (std::size_t k = 0; k < group.necks.size(); ++k)
     entry["necks"].push_back(neck_json(group.necks[k], numbers.necks[k]));
+  if (numbers.sizes) entry["sizes"] = as_json(*numbers.sizes);
   return entry;
 }
 

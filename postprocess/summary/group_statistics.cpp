@@ -124,6 +124,7 @@ GroupStatistics group_statistics(const RunGroup& group, const StatisticsRequest&
                           .power_laws = power_laws(group, request),
                           .steady = steady_state(group, request),
                           .necks = {},
+                          .sizes = size_statistics(group, request.resampling),
                           .notes = {}};
   if (numbers.burst_order && numbers.burst_order->depends) widen(numbers.quantities, group, request.resampling);
   numbers.notes = notes(group, numbers);

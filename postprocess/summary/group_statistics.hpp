@@ -10,6 +10,7 @@
 #include "postprocess/summary/event_statistics.hpp"
 #include "postprocess/summary/first_burst_statistics.hpp"
 #include "postprocess/summary/quantities.hpp"
+#include "postprocess/summary/size_statistics.hpp"
 
 namespace clogflow::postprocess {
 
@@ -41,8 +42,9 @@ struct GroupStatistics {
   LapseCounts lapses;
   PowerLaws power_laws;
   SteadyStatistics steady;
-  std::vector<GroupStatistics> necks;  ///< of each neck of several, in order of y: its own passages, bursts, arrests
-  std::vector<std::string> notes;      ///< what a reader must know of these runs
+  std::vector<GroupStatistics> necks;   ///< of each neck of several, in order of y: its own passages, bursts, arrests
+  std::optional<SizeStatistics> sizes;  ///< where particles differ
+  std::vector<std::string> notes;       ///< what a reader must know of these runs
 
   /// \param key of the table of quantities
   const QuantityStatistics& of(const std::string& key) const;

@@ -124,6 +124,13 @@ struct TryOut {
     for (const std::string_view word : slot.words)
       expect_clear(key, std::string(word), answer(key.path, std::string(word)));
   }
+  void operator()(const SpeciesSlot&) const {
+    for (const char* bad : {"1", "\"\"", "[]", "[1]", "[{}]", "[{diameter=\"1 um\"}]", "[{diameter=1,share=1}]",
+                            "[{diameter=\"1 s\",share=1.0}]", "[{diameter=\"1 um\",share=2.0}]",
+                            "[{diameter=\"1 um\",share=nan}]", "[{diameter=\"0 um\",share=1.0}]", "true"})
+      expect_refused(key, bad);
+    EXPECT_EQ(answer(key.path, "[{diameter=\"33 um\",share=1.0,density=\"1 kg/m3\"}]"), "");
+  }
   void operator()(const SeedsSlot&) const {
     for (const char* bad :
          {"\"\"", "\"a\"", "\"1-\"", "\"-1\"", "-1", "\"5-1\"", "\"1,,2\"", "1.5", "\"1-99999999999\"",

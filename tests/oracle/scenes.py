@@ -99,6 +99,12 @@ STEPPED = {"geometry__half_angle": '"45 deg"', "geometry__step_width": '"200 um"
 FLOWS = {"straight": flow_of(), "pore": flow_of(**PORE), "stepped": flow_of(**STEPPED)}
 
 
+MIXTURE = {"particles__diameter": None, "particles__size_distribution": '"lognormal"', "particles__size_spread": 0.05,
+           "particles__species": '[{diameter = "47 um", share = 0.4}, '
+                                 '{diameter = "20 um", share = 0.6, density = "1300 kg/m3"}]',
+           "particles__density": '"1000 kg/m3"', "gravity": '["0 m/s2", "-9.81 m/s2", "0 m/s2"]', "lubrication__walls": "true"}
+
+
 def ridge_box():
     """A closed box, 200 x 200 x 400, whose floor rises to a ridge at y = 100: flat walls, corners and a convex edge."""
     outline = [(0, 0), (100, 40), (200, 0), (200, 400), (0, 400)]  # (y, z), counter-clockwise seen along -x
@@ -181,6 +187,8 @@ SCENES = {
         flow__compliance='"1e-14 m3/Pa"', drag__velocity='"mixture"', time__end='"8 ms"'), "straight", later=True),
     "channel_small": Scene("small spheres, many neighbours, dry", channel(
         particles__diameter='"22 um"', lubrication__enabled="false", time__end='"5 ms"'), "straight"),
+    "channel_sizes": Scene("a mixture that spreads, two densities that sink and rise, films at walls", channel(
+        **MIXTURE, time__end='"8 ms"'), "straight", later=True),
     "stepped": Scene("other corners: two narrowings, an expansion", channel(**STEPPED), "stepped"),
     "pore": Scene("a channel from an STL file", channel(**PORE), "pore"),
     "pore_local": Scene("porosity around each particle between walls from a file, no strips", channel(
@@ -192,6 +200,8 @@ SCENES = {
     "resumed_local": Scene("a local porosity, stopped again and again", channel(
         porosity__method='"local"', porosity__width='"60 um"', drag__law='"beetstra"', time__end='"8 ms"'), "straight",
         interrupted="0.2 s", same_as="channel_local", later=True),
+    "resumed_sizes": Scene("the mixture, stopped again and again", channel(**MIXTURE, time__end='"8 ms"'), "straight",
+                           interrupted="0.2 s", same_as="channel_sizes", later=True),
     "resumed": Scene("stopped again and again, and resumed", channel(), "straight", interrupted="0.3 s",
                      same_as="channel"),
     "sweep": Scene("a folder for every value", channel(time__end='"5 ms"'), "straight",

@@ -13,6 +13,7 @@ clog_tests(test_postprocess
     postprocess/summary/test_burst_order.cpp
     postprocess/summary/test_first_burst_statistics.cpp
     postprocess/summary/test_quantities.cpp
+    postprocess/summary/test_size_statistics.cpp
     postprocess/output/test_statistics_files.cpp
     postprocess/summary/test_stopping_rule.cpp
     postprocess/summary/test_sweeps.cpp

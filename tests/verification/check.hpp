@@ -44,6 +44,7 @@ Group fluid_closed_forms();
 Group gravity();
 Group pulsating_flow();
 Group pressure_drive();
+Group unequal_sizes();
 Group sizes();
 
 // Invariants.

@@ -7,6 +7,7 @@ add_library(clog_verification OBJECT
   verification/closed_forms.cpp
   verification/drive.cpp
   verification/gravity.cpp
+  verification/unequal_sizes.cpp
   verification/convergence.cpp
   verification/energy.cpp
   verification/invariants.cpp)

@@ -15,7 +15,7 @@ namespace clogflow {
 /// \source Beetstra, van der Hoef & Kuipers, AIChE J. 53 (2007) 489
 struct BeetstraDrag {
   static constexpr std::string_view word = "beetstra";
-  static constexpr bool knows_slip = true;
+  static constexpr bool knows_slip = true, of_packs = true;
 
   static double factor(const Surroundings& s) {
     const double at_rest = HoefDrag::factor(s);

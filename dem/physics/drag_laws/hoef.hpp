@@ -13,7 +13,7 @@ namespace clogflow {
 /// \source paper, text below Eq. (4); van der Hoef, Beetstra & Kuipers, J. Fluid Mech. 528 (2005) 233
 struct HoefDrag {
   static constexpr std::string_view word = "hoef";
-  static constexpr bool knows_slip = false;
+  static constexpr bool knows_slip = false, of_packs = true;
 
   static double factor(const Surroundings& s) {
     const double solid = 1 - s.porosity;

@@ -11,7 +11,7 @@ namespace clogflow {
 /// \source Stokes (1851)
 struct StokesDrag {
   static constexpr std::string_view word = "stokes";
-  static constexpr bool knows_slip = false;
+  static constexpr bool knows_slip = false, of_packs = false;
 
   static double factor(const Surroundings&) { return 1; }
 };

@@ -1,4 +1,5 @@
 // Whose rate the flow keeps: the drag of one sphere in a pack of porosity 0.5, by hand; and the neck as a strip.
+#include <cmath>
 #include <numbers>
 
 #include <gmock/gmock.h>
@@ -48,6 +49,40 @@ TEST(DragReadings, OfABedThatMoves) {
   EXPECT_NEAR(force(DragVelocity::mixture, 1) / (half_full * stokes), 4, 1e-6);
   EXPECT_NEAR(force(DragVelocity::interstitial, 1) / (half_full * stokes), 5, 1e-6);
   EXPECT_NEAR(force(DragVelocity::superficial, 1) / (half_full * stokes), 2.5, 1e-6);
+}
+
+/// Of the small one of two spheres of 0.16 and 0.24, that fill half of a strip, over f 3 pi eta d_i V0 / 0.5.
+double unequal_share(DragVelocity reading, const char* law, double size) {
+  Scene scene = laboratory_scene({.diameter = d}, 1e-6);
+  scene.fluid.viscosity = eta, scene.fluid.density = 100;
+  scene.drag.enabled = true;
+  scene.drag.velocity = reading;
+  scene.drag.law = law;
+  scene.particles.species = {{0.16, 0.5, 0}, {0.24, 0.5, 0}};
+  const double spheres = std::numbers::pi / 6 * (std::pow(0.16, 3) + std::pow(0.24, 3));
+  Fluid fluid(scene, FlowField(std::array<double, 3>{flow_speed, 0, 0}), PorosityStrips(-1, 1, {2 * spheres}));
+  Particles p;
+  p.add({.radius = size / 2, .x = -0.5});
+  p.add({.radius = 0.2 - size / 2, .x = 0.5});
+  fluid.update_porosity(p);
+  fluid.evaluate(p);
+  return fluid.drag_force(0, {0, 0, 0}).x / (3 * std::numbers::pi * eta * size * flow_speed / 0.5);
+}
+
+TEST(DragReadings, OfUnequalSpheres) {
+  // Sauter's mean of one 0.16 and one 0.24: (0.004096 + 0.013824) / (0.0256 + 0.0576) = 0.2153846; y = 0.7428571 and
+  // 1.1142857. At eps = 0.5: 0.5 y + 0.5 y^2 + 0.032 y^3 = 0.6604649 and 1.2222323.
+  for (const DragVelocity reading : {DragVelocity::interstitial, DragVelocity::mixture}) {
+    EXPECT_NEAR(unequal_share(reading, "hoef", 0.16), half_full * 0.6604649, 1e-5);
+    EXPECT_NEAR(unequal_share(reading, "hoef", 0.24), half_full * 1.2222323, 1e-5);
+  }
+  // Without the pressure gradient's share: half of y + 0.064 y^3 = 0.7690930.
+  EXPECT_NEAR(unequal_share(DragVelocity::superficial, "hoef", 0.16), half_full * 0.5 * 0.7690930, 1e-5);
+  // A lone sphere's law asks for no neighbours.
+  EXPECT_NEAR(unequal_share(DragVelocity::interstitial, "stokes", 0.16), 1, 1e-12);
+  // Re is that of the mean: 100 x 3 x 0.2153846 / 0.5 = 129.23077.
+  EXPECT_NEAR(unequal_share(DragVelocity::interstitial, "beetstra", 0.16),
+              find_drag_law("beetstra").factor({0.5, 129.2307692}) * 0.6604649, 1e-4);
 }
 
 TEST(DragReadings, AreTheSameSlipForALawThatKnowsIt) {

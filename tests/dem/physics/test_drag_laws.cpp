@@ -5,6 +5,7 @@
 
 #include "coupling/scene/scene_keys.hpp"
 #include "dem/physics/drag_law.hpp"
+#include "dem/physics/drag_laws/unequal_spheres.hpp"
 #include "tests/coupling/refusal.hpp"
 #include "tests/dem/laboratory.hpp"
 
@@ -24,6 +25,21 @@ TEST(DragLaws, BeetstraWorkedOutByHand) {
   EXPECT_NEAR(find_drag_law("beetstra").factor({0.5, 10}), 22.77397, 2e-5);
   // A lone sphere at Re = 1: 1 + 0.413 / 24 * (1 + 8.4) / 2 = 1.08088
   EXPECT_NEAR(find_drag_law("beetstra").factor({1, 1}), 1.08088, 1e-5);
+}
+
+TEST(DragLaws, OfUnequalSpheresWorkedOutByHand) {
+  const UnequalSpheres total{true}, without_gradient{false};
+  // eps = 0.4, y = 2: 0.4 x 2 + 0.6 x 4 + 0.064 x 0.4 x 8; y = 1/2: 0.2 + 0.15 + 0.0032
+  EXPECT_NEAR(total.factor(0.4, 2), 3.4048, 1e-12);
+  EXPECT_NEAR(total.factor(0.4, 0.5), 0.3532, 1e-12);
+  EXPECT_NEAR(total.factor(0.4, 1), 1.0256, 1e-12);
+  EXPECT_NEAR(without_gradient.factor(0.4, 2), 2.512, 1e-12);
+  // What the gradient pushes is in proportion to the volume: (1 - eps) y^2 f 3 pi eta d of F.
+  for (const double y : {0.5, 1.0, 2.0})
+    EXPECT_NEAR(total.factor(0.7, y) - 0.7 * without_gradient.factor(0.7, y), 0.3 * y * y, 1e-12);
+  // A lone sphere is alone, whatever its size; nothing jumps on the way.
+  EXPECT_EQ(total.factor(1, 0.5), 1);
+  EXPECT_NEAR(total.factor(0.9 + 1e-9, 2), total.factor(0.9, 2), 1e-7);
 }
 
 TEST(DragLaws, EveryWordOfASceneHasARow) {

@@ -46,6 +46,17 @@ TEST(Lubrication, OfEqualSpheresIsThePaperEquation3) {
   EXPECT_NEAR(lubrication_coefficient(eta, d / 4, h), 2.309306e-6, 1e-12);
 }
 
+TEST(Lubrication, ReachesInProportionToUnequalSpheres) {
+  LubricationLaw law{.viscosity = 1, .nearest = 0.01, .farthest = 0.5};
+  EXPECT_EQ(law.reach(7.0), 0.5);
+  // Two spheres of d = 1 have R* = 1/4 and reach d / 2; of d = 2 twice as far.
+  law.per_radius = 2;
+  EXPECT_EQ(film_coefficient(law, 0.25, 0.501, 1.0), 0);
+  EXPECT_NEAR(film_coefficient(law, 0.25, 0.499, 1.0), 6 * pi * 0.0625 / 0.499, 1e-12);
+  EXPECT_GT(film_coefficient(law, 0.5, 0.999, 1.0), 0);
+  EXPECT_EQ(film_coefficient(law, 0.5, 1.001, 1.0), 0);
+}
+
 TEST(HertzContactTime, OfThePaper) {
   // E* = 3e9 / (2 (1 - 0.35^2)) = 1.7094017e9 Pa, rho / E* = 6.21270e-7, to the power 0.4 3.29093e-3;
   // 2.214 * 3.29093e-3 * 33e-6 / (5e-4)^0.2 (= 0.218672) = 1.09955e-6 s

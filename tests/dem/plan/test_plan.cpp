@@ -239,5 +239,29 @@ TEST(MachineSpeed, IsMeasured) {
   EXPECT_TRUE(std::isfinite(speed));
 }
 
+TEST(Plan, KnowsUnequalSizes) {
+  const Plan equal = make_plan(cheap_paper_scene());
+  EXPECT_EQ(equal.sizes_note, "");
+  const Plan mixed = make_plan(
+      cheap_paper_scene({R"(particles.species=[{diameter="25 um",share=0.5},{diameter="35 um",share=0.5}])"}));
+  EXPECT_THAT(mixed.sizes_note, HasSubstr("diameters from 25 um to 35 um (ratio 1.4) in 2 kinds: number mean 30 um"));
+  // (25^3 + 35^3) / (25^2 + 35^2)
+  EXPECT_THAT(mixed.sizes_note, HasSubstr("Sauter mean 31.62 um"));
+  // As many spheres of the mean volume as fit: 33^3 / 29250.
+  EXPECT_NEAR(mixed.particles / equal.particles, 35937.0 / 29250, 1e-6);
+  EXPECT_LT(mixed.dt, equal.dt);
+}
+
+TEST(Plan, WarnsOfCrystalsUntilSizesDiffer) {
+  const auto note = [](const Overrides& overrides) {
+    Overrides all{"particles.diameter=50 um", "geometry.channel_length=1 mm"};
+    all.insert(all.end(), overrides.begin(), overrides.end());
+    return make_plan(cheap_paper_scene(all)).layers_note;
+  };
+  EXPECT_THAT(note({}), HasSubstr("holds 2 whole layers"));
+  EXPECT_THAT(note({"particles.size_spread=0.03"}), HasSubstr("a spread of sizes of 0.08 and more"));
+  EXPECT_EQ(note({"particles.size_spread=0.1"}), "");
+}
+
 }  // namespace
 }  // namespace clogflow::test

@@ -350,5 +350,23 @@ TEST(StepWatch, DoesNotChangeTheBitsOfARun) {
   EXPECT_EQ(watched.spin(1), unwatched.spin(1));
 }
 
+TEST(ExpectedLimits, OfAMixtureAreThoseOfASmallSphereAmongLargeOnes) {
+  const auto limits = [](const Overrides& overrides) {
+    Overrides all{"time.step=1 ns"};
+    all.insert(all.end(), overrides.begin(), overrides.end());
+    const Scene s = read_scene(source_folder() / "scenes" / "paper.toml", all);
+    const Laws laws = make_laws(s);
+    return expected_limits({.scene = s, .laws = laws, .contact_time = 0, .has_walls = false}, {});
+  };
+  const StepLimits small = limits({"particles.diameter=10 um", "particles.roughness=0.1 um"});
+  const StepLimits mixed = limits({R"(particles.species=[{diameter="10 um",share=0.5},{diameter="30 um",share=0.5}])",
+                                   "particles.roughness=0.1 um"});
+  // A lone small sphere's drag; its film with a large one: R* = 3.75 in place of 2.5 um, 1 / m = 28/27 in place of 2.
+  EXPECT_DOUBLE_EQ(mixed.drag, small.drag);
+  EXPECT_NEAR(small.lubrication / mixed.lubrication, 3.75 * 3.75 / (2.5 * 2.5) * 28 / 27 / 2, 1e-9);
+  EXPECT_LE(mixed.contacts, small.contacts);
+  EXPECT_DOUBLE_EQ(mixed.rayleigh_time, small.rayleigh_time);
+}
+
 }  // namespace
 }  // namespace clogflow::test
