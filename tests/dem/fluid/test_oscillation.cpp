@@ -101,7 +101,7 @@ TEST(Oscillation, RefusesDamagedTables) {
       {"time,factor\n1,1\n", ":2: the first time is 1 s (must be 0)"},
       {"time,factor\n0,1\n2,1\n2,3\n", ":4: time 2 s (must be later than the row before, 2 s)"},
   };
-  for (const auto& [text, reason] : cases) EXPECT_THAT(refusal([&] { of_table(text); }), HasSubstr(reason));
+  for (const auto& each : cases) EXPECT_THAT(refusal([&] { of_table(each.first); }), HasSubstr(each.second));
 }
 
 void look_at_return(const Overrides& more) {
