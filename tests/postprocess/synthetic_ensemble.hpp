@@ -20,7 +20,7 @@ struct SyntheticEnsemble {
   double alpha = 2.5;
   double end = 1.5;                  ///< [s]
   double snapshot_interval = 0.002;  ///< [s]; 0: none
-  std::string more;                  ///< further lines of the scene
+  std::string more = {};             ///< further lines of the scene
   Overrides overrides = {};          ///< of its keys
 };
 

@@ -133,7 +133,7 @@ double kolmogorov(std::vector<double> diameters, const ParticleSizes& sizes) {
   for (std::size_t i = 0; i < diameters.size(); ++i) {
     double share = 0;
     for (std::size_t k = 0; k < sizes.species(); ++k) share += sizes.share(k) * sizes.of(k).share_up_to(diameters[i]);
-    worst = std::max({worst, std::abs(share - static_cast<double>(i) / n), std::abs(share - (i + 1.0) / n)});
+    worst = std::max({worst, std::abs(share - static_cast<double>(i) / n), std::abs(share - static_cast<double>(i + 1) / n)});
   }
   return worst * std::sqrt(n);
 }
@@ -172,10 +172,10 @@ TEST(Inlet, FeedsAConcentrationOfUnequalSpheres) {
   Bench bench(short_channel_scene({R"(particles.species=[{diameter="20 um",share=0.7},{diameter="40 um",share=0.3}])",
                                    "inlet.start=empty", "inlet.concentration=0.02"}));
   const double each = 1 / 308.04;
-  EXPECT_TRUE(bench.inlet.waits(1.001 * each));
+  EXPECT_TRUE(bench.inlet.waits(bench.fluid, 1.001 * each));
   bench.inlet.insert(bench.particles, bench.fluid, bench.random, 1.001 * each);
-  EXPECT_FALSE(bench.inlet.waits(1.999 * each));
-  EXPECT_TRUE(bench.inlet.waits(2.001 * each));
+  EXPECT_FALSE(bench.inlet.waits(bench.fluid, 1.999 * each));
+  EXPECT_TRUE(bench.inlet.waits(bench.fluid, 2.001 * each));
 }
 
 TEST(Inlet, ScattersASampleOfUnequalSpheresWhole) {
