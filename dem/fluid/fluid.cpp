@@ -5,7 +5,6 @@
 
 #include "coupling/scene/particle_sizes.hpp"
 #include "dem/physics/dimensionless.hpp"
-#include "dem/physics/drag_laws/unequal_spheres.hpp"
 
 namespace clogflow {
 

@@ -29,7 +29,7 @@ const DragLaw& drag_law(const Scene& scene);
 /// Published as the total fluid force: no separate pressure gradient force.
 /// eps is that of the particle's strip or, if there is a local porosity, that of its place; the strips are then
 /// recorded only. Where sizes differ, f is that of the mixture's Sauter mean, times a factor of the sphere's own size
-/// (dem/physics/drag_laws/unequal_spheres.hpp); a law of lone spheres has none.
+/// (UnequalSpheres); a law of lone spheres has none.
 class Fluid {
 public:
   Fluid(const Scene& scene, const FlowField& field, PorosityStrips strips, LocalPorosity local = {});

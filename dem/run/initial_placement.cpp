@@ -1,13 +1,13 @@
 #include "dem/run/initial_placement.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
+#include <limits>
 
 #include "coupling/base/require.hpp"
 #include "coupling/geometry/stl_channel.hpp"
 #include "dem/contact/closest_point.hpp"
+#include "dem/contact/size_levels.hpp"
 #include "dem/contact/wall_bins.hpp"
 
 namespace clogflow {
@@ -102,35 +102,30 @@ void check_walls(const InitialParticles& initial, const Model& model) {
   }
 }
 
+/// Overlap over the smaller diameter.
+double overlap_share(const Particle& p, const Particle& q) {
+  return (p.radius + q.radius - (p.position() - q.position()).norm()) / (2 * std::min(p.radius, q.radius));
+}
+
 void check_pairs(const InitialParticles& initial, const Model& model) {
-  const auto& particles = initial.particles;
-  double largest = 0;
-  for (const Particle& p : particles) largest = std::max(largest, p.radius);
-  const auto cell = [&](const Particle& p) {
-    return std::array{std::floor(p.x / (2 * largest)), std::floor(p.y / (2 * largest)),
-                      std::floor(p.z / (2 * largest))};
-  };
-  std::map<std::array<double, 3>, std::vector<std::size_t>> cells;
-  for (std::size_t k = 0; k < particles.size(); ++k) {
-    const Particle& p = particles[k];
-    const auto at = cell(p);
-    for (int n = 0; n < 27; ++n) {
-      const int column = n % 3 - 1, row = n / 3 % 3 - 1, layer = n / 9 - 1;
-      const auto near = cells.find({at[0] + column, at[1] + row, at[2] + layer});
-      if (near == cells.end()) continue;
-      for (const std::size_t other : near->second) {
-        const Particle& q = particles[other];
-        const double overlap = p.radius + q.radius - (p.position() - q.position()).norm();
-        const double share = overlap / (2 * std::min(p.radius, q.radius));
-        require(share <= deepest_start,
-                "{} overlaps that of line {} by {:.3g} m, {:.2g} of the smaller diameter (no more "
-                "than {} at the start): "
-                "move one of them, or lower its radius",
-                name_of(initial, k, model), initial.lines[other], overlap, share, deepest_start);
-      }
-    }
-    cells[at].push_back(k);
-  }
+  Particles all;
+  for (const Particle& p : initial.particles) all.add(p);
+  const auto [least, most] = std::ranges::minmax_element(all.states, {}, &ParticleState::radius);
+  // The first that overlaps one of an earlier line.
+  int first = std::numeric_limits<int>::max(), other = 0;
+  SizeLevels(all, {}, (*most).radius, (*least).radius).for_each_pair([&](int i, int j) {
+    if (j <= first && overlap_share(initial.particles[i], initial.particles[j]) > deepest_start &&
+        (j < first || i < other))
+      first = j, other = i;
+  });
+  if (first == std::numeric_limits<int>::max()) return;
+  const Particle &p = initial.particles[first], &q = initial.particles[other];
+  const double share = overlap_share(p, q);
+  throw Error(
+      fmt::format("{} overlaps that of line {} by {:.3g} m, {:.2g} of the smaller diameter (no more than {} at the "
+                  "start): move one of them, or lower its radius",
+                  name_of(initial, first, model), initial.lines[other], share * 2 * std::min(p.radius, q.radius), share,
+                  deepest_start));
 }
 
 }  // namespace

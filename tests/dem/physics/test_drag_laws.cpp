@@ -5,7 +5,6 @@
 
 #include "coupling/scene/scene_keys.hpp"
 #include "dem/physics/drag_law.hpp"
-#include "dem/physics/drag_laws/unequal_spheres.hpp"
 #include "tests/coupling/refusal.hpp"
 #include "tests/dem/laboratory.hpp"
 
