@@ -14,6 +14,7 @@ std::vector<Entry> all_groups() {
           {"sliding_and_rolling", sliding_and_rolling},
           {"fluid_closed_forms", fluid_closed_forms},
           {"gravity", gravity},
+          {"cohesion", cohesion},
           {"sizes", sizes},
           {"energy_closed_forms", energy_closed_forms},
           {"energy_of_elastic_springs", energy_of_elastic_springs},

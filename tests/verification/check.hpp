@@ -42,6 +42,7 @@ Group spinning_on_heavy_sphere();  // 8
 Group sliding_and_rolling();
 Group fluid_closed_forms();
 Group gravity();
+Group cohesion();
 Group sizes();
 
 // Invariants.

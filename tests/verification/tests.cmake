@@ -6,6 +6,7 @@ add_library(clog_verification OBJECT
   verification/chung_ooi_oblique.cpp
   verification/closed_forms.cpp
   verification/gravity.cpp
+  verification/cohesion.cpp
   verification/convergence.cpp
   verification/energy.cpp
   verification/invariants.cpp)

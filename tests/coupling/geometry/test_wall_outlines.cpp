@@ -83,7 +83,9 @@ TEST(WallOutlines, TheFluidInThePlaneOfAPictureIsClosed) {
     EXPECT_EQ(cut.size(), area > 0 ? 3u : 2u) << file;
     const auto loops = closed_outlines(cut);
     ASSERT_EQ(loops.size(), 1u) << file;
-    if (area > 0) EXPECT_NEAR(loops[0].area() / (area * 1e-12), 1, 1e-9) << file;
+    if (area > 0) {
+      EXPECT_NEAR(loops[0].area() / (area * 1e-12), 1, 1e-9) << file;
+    }
     EXPECT_TRUE(loops[0].holds({-200e-6, 0}));
     EXPECT_EQ(loops[0].holds({50e-6, 0}), std::string(file) == "pore.stl");
   }
