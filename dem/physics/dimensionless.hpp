@@ -64,7 +64,8 @@ inline double collision_stokes_number(const SphereInFluid& s, double speed) {
   return mass * speed / (6 * std::numbers::pi * s.viscosity * radius * radius);
 }
 
-/// Adhesion over drag: the force that parts two spheres over Stokes' drag 3 pi eta d v of one.
+/// Adhesion over drag: the force that parts two spheres over Stokes' drag 3 pi eta d v of one. In a pack drag is
+/// f(eps) / eps times larger, in an arch the drag of many presses on each contact.
 /// \param pull_off  [N]: jkr_pull_off, Dmt::pull_off
 inline double adhesion_number(double pull_off, const SphereInFluid& s, double speed) {
   return pull_off / (stokes_coefficient(s.viscosity, s.diameter) * speed);

@@ -37,6 +37,10 @@ constexpr const char* lift = "lift or added mass";
 /// Whether arches turn on their contacts is the user's to say: a coefficient of 0 is a choice, and leaves nothing out.
 constexpr const char *rolling = "rolling friction", *torsion = "torsion friction";
 
+/// Pull-off force over the drag of one sphere in the neck from which adhesion is called needed: at 1 and 3 no effect on
+/// the first clogs was seen, at 10 they came four times sooner (docs/reports/cohesion.md).
+constexpr double adhesion_from = 1;
+
 /// Room beside a whole number of layers, in diameters, below which equal spheres order as in a crystal: at 50 um in a
 /// channel of 100 um they do, at 47 um (0.13) they do not; between these it was not tried.
 constexpr double ordering_room = 0.02;
@@ -165,19 +169,31 @@ void judge_sizes(const Scene& s, const Model& model, Plan& plan) {
       sizes.species() > 1 ? "s" : "", short_length(s.particles.diameter), short_length(sizes.sauter_mean()));
 }
 
+/// What carries a particle past others: the flow in the neck, or wherever it is where there is no neck [m/s].
+double passing_speed(const Scene& s) {
+  return s.geometry.present && s.flow.mean_velocity > 0 ? neck_mean_velocity(s.geometry, s.flow.mean_velocity)
+                                                        : s.flow_speed();
+}
+
 void judge_adhesion(const Scene& s, Plan& plan) {
   const auto& c = s.contact;
-  if (!adheres(c)) return;
+  const double radius = s.particles.diameter / 4, v = passing_speed(s);
+  const SphereInFluid sphere{s.particles.diameter, s.particles.density, s.fluid.density, s.fluid.viscosity};
+  if (!adheres(c)) {
+    if (v > 0 && s.drag.enabled)
+      plan.terms.push_back({"adhesion", "w [J/m2] of pull-off = 3 pi eta d v_neck",
+                            stokes_coefficient(sphere.viscosity, sphere.diameter) * v / jkr_pull_off(1.0, radius),
+                            false, false, "if yours is above it: contact.law, contact.surface_energy"});
+    return;
+  }
   const bool soft = c.law == "jkr";
-  const double radius = s.particles.diameter / 4, v = s.flow_speed();
   Dmt hard;
   hard.surface_energy = c.surface_energy;
   const double pull_off = soft ? jkr_pull_off(c.surface_energy, radius) : hard.pull_off(radius);
   if (v > 0) {
-    const double ratio =
-        adhesion_number(pull_off, {s.particles.diameter, s.particles.density, s.fluid.density, s.fluid.viscosity}, v);
-    plan.terms.push_back({"adhesion", "pull-off force / (3 pi eta d v)", ratio, ratio > 0.01, true,
-                          "above 1 the drag of one sphere parts no pair"});
+    const double ratio = adhesion_number(pull_off, sphere, v);
+    plan.terms.push_back({"adhesion", "pull-off force / (3 pi eta d v_neck)", ratio, ratio > adhesion_from, true,
+                          "above 1 the drag of one sphere parts no pair; clogs: docs/reports/cohesion.md"});
   }
   const Material own{c.youngs_modulus, c.poisson_ratio};
   const double tabor = tabor_number(c.surface_energy, effective_modulus(own, own), radius);
@@ -204,7 +220,8 @@ void find_limits(const Scene& s, const Model& model, Plan& plan) {
 double flowing_time(const Scene& s) {
   constexpr double packing = 0.33;
   const double carried = packing * s.flow_speed() / (s.drag.velocity == DragVelocity::mixture ? 1 : 1 - packing);
-  return s.inlet.strain * s.geometry.neck_width * s.geometry.neck_width / s.geometry.channel_width / carried;
+  const Geometry& g = s.geometry;
+  return s.inlet.strain * g.neck_width * neck_section(g) / channel_flow_rate(g, carried);
 }
 
 void estimate_cost(const Scene& s, const Model& model, Plan& plan) {

@@ -189,6 +189,12 @@ SCENES = {
         particles__diameter='"22 um"', lubrication__enabled="false", time__end='"5 ms"'), "straight"),
     "channel_sizes": Scene("a mixture that spreads, two densities that sink and rise, films at walls", channel(
         **MIXTURE, time__end='"8 ms"'), "straight", later=True),
+    "channel_sticky": Scene("spheres that stick and film, a flowing start, restarts", channel(
+        contact__law='"jkr"', contact__surface_energy='"0.5 mJ/m2"', inlet__start='"flowing"', inlet__strain=1,
+        unclog__protocol='"restart"', unclog__duration=None, unclog__strain=1, time__end='"15 ms"'), "straight",
+        later=True),
+    "box_sticky": Scene("unequal hard spheres that stick, in a box", box_text(
+        contact__law='"dmt"', contact__surface_energy='"0.2 mJ/m2"'), later=True),
     "stepped": Scene("other corners: two narrowings, an expansion", channel(**STEPPED), "stepped"),
     "pore": Scene("a channel from an STL file", channel(**PORE), "pore"),
     "pore_local": Scene("porosity around each particle between walls from a file, no strips", channel(

@@ -91,5 +91,55 @@ TEST(StlFlow, OfTheShippedPore) {
   EXPECT_EQ(write_foam_case(scene, scratch.path() / "moved", foam_template()), FoamCaseState::solved);
 }
 
+/// What passes the plane nearest to x where y lies between two values [m3/s].
+double flux_between(const FlowGrid& grid, double x, double from, double to) {
+  const int i = static_cast<int>(std::lround((x - grid.origin.x) / grid.spacing));
+  double sum = 0;
+  for (int k = 0; k < grid.points[2]; ++k)
+    for (int j = 0; j < grid.points[1]; ++j) {
+      const double y = grid.origin.y + j * grid.spacing;
+      if (y > from && y < to) sum += grid.velocity[3 * grid.index(i, j, k)];
+    }
+  return sum * grid.spacing * grid.spacing;
+}
+
+TEST(StlFlow, TwoNecksCarryHalfEach) {
+  const ScratchFolder scratch;
+  const Scene scene = read_scene(source_folder() / "scenes" / "two_necks.toml",
+                                 {"flow.mesh_cells_per_neck=10", "flow.grid_spacing=5 um"});
+  const FlowGrid grid = solved(scene, scratch.path() / "two");
+  const double rate = 5e-3 * 4e-4 * 1e-4;
+  expect_laws(grid, rate, 10e-3);
+  const double lower = flux_between(grid, 50e-6, -2e-4, 0), upper = flux_between(grid, 50e-6, 0, 2e-4);
+  EXPECT_NEAR(lower / upper, 1, 0.02);
+  EXPECT_NEAR((lower + upper) / rate, 1, 0.05);
+  EXPECT_EQ(flux_between(grid, 50e-6, -20e-6, 20e-6), 0) << "in the wall between them";
+}
+
+TEST(StlFlow, APipeCarriesPoiseuillesFlow) {
+  const ScratchFolder scratch;
+  const Scene scene =
+      read_scene(source_folder() / "scenes" / "pipe.toml", {"flow.mesh_cells_per_neck=10", "flow.grid_spacing=5 um"});
+  const FlowGrid grid = solved(scene, scratch.path() / "pipe");
+  const double radius = std::sqrt(scene.geometry.inlet_area / M_PI), rate = 2.5e-3 * scene.geometry.inlet_area;
+  EXPECT_NEAR(flux_between(grid, 50e-6, -1e-3, 1e-3) / rate, 1, 0.05);
+  // Of the mesh, halfway between its inlet and the narrowing; upstream of the mesh the parabola is set.
+  for (const auto& [x, limit] : {std::pair(grid.origin.x, 1e-6), {-350e-6, 0.03}}) {
+    const int i = static_cast<int>(std::lround((x - grid.origin.x) / grid.spacing));
+    ASSERT_GE(i, 0);
+    double squares = 0, count = 0;
+    for (int k = 0; k < grid.points[2]; ++k)
+      for (int j = 0; j < grid.points[1]; ++j) {
+        const std::size_t at = grid.index(i, j, k);
+        if (grid.solid[at]) continue;
+        const double y = grid.origin.y + j * grid.spacing, z = grid.origin.z + k * grid.spacing - 150e-6;
+        const double law = std::max(0.0, 2 * 2.5e-3 * (1 - (y * y + z * z) / (radius * radius)));
+        squares += std::pow(grid.velocity[3 * at] - law, 2), ++count;
+      }
+    EXPECT_LT(std::sqrt(squares / count) / 2.5e-3, limit) << x;
+    EXPECT_NEAR(count * grid.spacing * grid.spacing / scene.geometry.inlet_area, 1, 0.02) << x;
+  }
+}
+
 }  // namespace
 }  // namespace clogflow

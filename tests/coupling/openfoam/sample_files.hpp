@@ -45,8 +45,14 @@ inline RunData sample_run() {
   run.record.host = "somewhere";
   run.record.flow_hash = "0123";
   run.end_time = 1.5;
-  run.passages = {
-      .time = {0.25, 0.5}, .id = {3, 1}, .y = {1e-6, -1e-6}, .z = {5e-5, 6e-5}, .friction_off = {0, 1}, .neck = {}, .radius = {}, .species = {}};
+  run.passages = {.time = {0.25, 0.5},
+                  .id = {3, 1},
+                  .y = {1e-6, -1e-6},
+                  .z = {5e-5, 6e-5},
+                  .friction_off = {0, 1},
+                  .neck = {},
+                  .radius = {},
+                  .species = {}};
   run.releases = {.off = {0.4}, .on = {0.4015}, .largest_speed = {1e-7}, .position = {-1e-5}};
   auto& series = run.series;
   series.time = {0, 1, 1.5};

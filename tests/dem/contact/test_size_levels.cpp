@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include "coupling/base/random_stream.hpp"
 #include "dem/contact/neighbours.hpp"
 #include "dem/contact/size_levels.hpp"
-#include "coupling/base/random_stream.hpp"
 
 namespace clogflow::test {
 namespace {

@@ -197,8 +197,14 @@ TEST(Plan, WeighsAdhesion) {
     return make_plan(cheap_paper_scene({std::string("contact.law=") + law, "contact.surface_energy=1 mJ/m2"}));
   };
   const Plan jkr = sticky("jkr"), dmt = sticky("dmt");
-  EXPECT_NEAR(term_named(jkr, "adhesion").value, 13.889, 1e-3);
-  EXPECT_NEAR(term_named(dmt, "adhesion").value, 18.519, 1e-3);
+  // Of the drag at the neck's 20 mm/s, a quarter of Dimensionless.AdhesionOverDrag.
+  EXPECT_NEAR(term_named(jkr, "adhesion").value, 3.4722, 1e-3);
+  EXPECT_NEAR(term_named(dmt, "adhesion").value, 4.6297, 1e-3);
+  EXPECT_TRUE(term_named(jkr, "adhesion").needed);
+  // What would matter where nothing sticks: 1 mJ/m2 / 3.4722.
+  const PlannedTerm without = term_named(make_plan(cheap_paper_scene()), "adhesion");
+  EXPECT_NEAR(without.value, 2.88e-4, 1e-6);
+  EXPECT_FALSE(without.needed || without.modelled);
   EXPECT_GT(term_named(jkr, "law of adhesion").value, 5);
   EXPECT_EQ(jkr.law_note, "");
   EXPECT_THAT(warnings(dmt), Contains(HasSubstr("contact.law = \"jkr\" fits")));

@@ -133,7 +133,8 @@ double kolmogorov(std::vector<double> diameters, const ParticleSizes& sizes) {
   for (std::size_t i = 0; i < diameters.size(); ++i) {
     double share = 0;
     for (std::size_t k = 0; k < sizes.species(); ++k) share += sizes.share(k) * sizes.of(k).share_up_to(diameters[i]);
-    worst = std::max({worst, std::abs(share - static_cast<double>(i) / n), std::abs(share - static_cast<double>(i + 1) / n)});
+    worst = std::max(
+        {worst, std::abs(share - static_cast<double>(i) / n), std::abs(share - static_cast<double>(i + 1) / n)});
   }
   return worst * std::sqrt(n);
 }

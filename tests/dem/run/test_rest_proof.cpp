@@ -18,8 +18,12 @@ RunData run(const Scene& scene, std::uint64_t seed) {
   return Simulation(scene, &grid, seed).run();
 }
 
-TEST(RestProof, WhatStopsTheRunIsPermanent) {
-  const Scene stops = stopping_scene({"unclog.protocol=stop"}), goes_on = stopping_scene({"unclog.protocol=none"});
+void expect_permanent(const Overrides& law) {
+  const auto scene = [&](Overrides protocol) {
+    protocol.insert(protocol.end(), law.begin(), law.end());
+    return stopping_scene(protocol);
+  };
+  const Scene stops = scene({"unclog.protocol=stop"}), goes_on = scene({"unclog.protocol=none"});
   for (const std::uint64_t seed : {1, 2, 3}) {
     const RunData stopped = run(stops, seed);
     ASSERT_TRUE(stopped.record.clogged_at && stopped.record.clog_proved.value_or(false)) << "seed " << seed;
@@ -28,6 +32,13 @@ TEST(RestProof, WhatStopsTheRunIsPermanent) {
     // 100 ms later, 10 tau, nothing else has passed.
     EXPECT_EQ(run(goes_on, seed).passages.time, stopped.passages.time) << "seed " << seed;
   }
+}
+
+TEST(RestProof, WhatStopsTheRunIsPermanent) { expect_permanent({}); }
+
+TEST(RestProof, OfSpheresThatStickToo) {
+  // The pull-off force is the drag of a sphere in the neck.
+  expect_permanent({"contact.law=jkr", "contact.surface_energy=0.29 mJ/m2"});
 }
 
 TEST(RestProof, AFlowIsNotAtRestAndNoiseAllowsNone) {

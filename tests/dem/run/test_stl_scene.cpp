@@ -77,7 +77,7 @@ TEST(StlScene, ParticlesEnterARoundInletWithinItsCircle) {
 
 TEST(StlScene, TheGateSpansAllNecksAndPassagesHaveTheirs) {
   const ScratchFile start("x,y,z\n40e-6,-75e-6,50e-6\n30e-6,75e-6,50e-6\n20e-6,70e-6,50e-6\n", ".csv");
-  const Scene scene = shipped("two_necks.toml", {"inlet.enabled=false", "unclog.protocol=none", "time.end=5 ms",
+  const Scene scene = shipped("two_necks.toml", {"inlet.enabled=false", "unclog.protocol=none", "time.end=8 ms",
                                                  "particles.diameter=5 um", "particles.initial=" + start.name()});
   EXPECT_EQ(make_model(scene, nullptr, {}).necks.size(), 2u);
   for (const Triangle& t : make_model(scene, nullptr, {}).gate)
