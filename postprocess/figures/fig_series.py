@@ -61,7 +61,8 @@ def draw(group, folder, name):
         axes.set_ylabel(label)
     panels[-1].set_xlabel(r"time $t/\tau$ [1]")
     panels[-1].margins(x=0)
-    panels[0].set_title(f"{style.plain(group['label'])}   (thin: {len(runs)} seed{"s" * (len(runs) > 1)}, thick: mean)")
+    seeds = "1 seed" if len(runs) == 1 else f"{len(runs)} seeds"
+    panels[0].set_title(f"{style.plain(group['label'])}   (thin: {seeds}, thick: mean)")
     figure.align_ylabels()
     return style.save(figure, folder, name)
 
