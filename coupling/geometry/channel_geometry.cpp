@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <Eigen/Geometry>
+
 #include "coupling/base/require.hpp"
 #include "coupling/geometry/polygon.hpp"
 

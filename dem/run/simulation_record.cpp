@@ -4,6 +4,8 @@
 
 #include <unistd.h>
 
+#include <fmt/format.h>
+
 #include "dem/run/simulation.hpp"
 
 #ifndef CLOG_REVISION
