@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "coupling/base/require.hpp"
+#include "coupling/geometry/channel_shape.hpp"
 #include "coupling/scene/grid_spacing.hpp"
 #include "coupling/scene/particle_sizes.hpp"
 #include "coupling/scene/scene_draft.hpp"
@@ -69,7 +70,7 @@ void use_rate(SceneDraft& draft) {
   require(geometry.present && geometry.channel_width > 0,
           "{} (needs a [geometry] with neck_width, whose channel has a cross-section): give flow.mean_velocity",
           draft.says("flow.rate"));
-  flow.mean_velocity = rate / (geometry.channel_width * geometry.neck_height);
+  flow.mean_velocity = rate / channel_flow_rate(geometry, 1);
   draft.given["flow.mean_velocity"] = draft.given.at("flow.rate");
 }
 

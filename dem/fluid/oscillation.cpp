@@ -152,8 +152,7 @@ void check_return(const Scene& s, const Oscillation& oscillation) {
           "{} (the flow goes back, which clears the neck by itself): set unclog.protocol = \"none\"", key);
   require(s.inlet.concentration == 0,
           "{} (the flow goes back through the inlet, which cannot give inlet.concentration then): leave that out", key);
-  const double back =
-      oscillation.longest_return() * s.flow.mean_velocity * s.geometry.channel_width * s.geometry.neck_height;
+  const double back = oscillation.longest_return() * channel_flow_rate(s.geometry, s.flow.mean_velocity);
   const double behind = channel_volume(s.geometry, s.geometry.neck_length, channel_end(s.geometry));
   require(
       back <= returning_share * behind,

@@ -54,8 +54,7 @@ void judge_pressures(const Scene& s, const FlowFactors& factors, Plan& plan) {
         "a pack responds to a change of pressure in {:.2g} Stokes times (more than {}: its scaled mass would "
         "matter): lower time.mass_scale",
         together, largest_inertia));
-  const double resistance =
-      (drops->channel + drops->pack) / (s.flow.mean_velocity * s.geometry.channel_width * s.geometry.neck_height);
+  const double resistance = (drops->channel + drops->pack) / channel_flow_rate(s.geometry, s.flow.mean_velocity);
   if (s.flow.compliance > 0)
     plan.drive_notes.push_back(fmt::format(
         "flow.compliance relaxes in C (Delta p0 + pack) / Q0 = {:.3g} s, {:.3g} Stokes times, in a clog, where the "

@@ -84,7 +84,7 @@ void refuse_unresolved(const Scene& s) {
           s.fidelity.preset.empty() ? "tolerance" : "preset");
 }
 
-double flow_rate(const Scene& s) { return s.flow.mean_velocity * s.geometry.channel_width * s.geometry.neck_height; }
+double flow_rate(const Scene& s) { return channel_flow_rate(s.geometry, s.flow.mean_velocity); }
 
 FlowFactors flow_factors(const Scene& scene, const FlowGrid* flow) {
   const Oscillation oscillation(scene);

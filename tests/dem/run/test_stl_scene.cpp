@@ -35,14 +35,21 @@ TEST(StlScene, HasTheSameEndsGateAndStripsAsAChannelOfKeys) {
   EXPECT_EQ(fluid.strips().porosity().size(), 3u);
 }
 
+/// A channel that was scattered full.
+struct Filled {
+  explicit Filled(const Scene& scene) : model(make_model(scene, nullptr, {})), inlet(model) {
+    inlet.scatter(particles, random);
+  }
+  Model model;
+  Inlet inlet;
+  Particles particles;
+  RandomStream random{3};
+};
+
 TEST(StlScene, ParticlesEnterBetweenTheWalls) {
   const Scene scene = pore();
-  const Model model = make_model(scene, nullptr, {});
-  const Fluid fluid = make_fluid(scene, nullptr);
-  Inlet inlet(model);
-  Particles p;
-  RandomStream random{3};
-  inlet.scatter(p, random);
+  const Filled filled(scene);
+  const Particles& p = filled.particles;
   EXPECT_GT(p.size(), 100u);
   const double r = scene.particles.diameter / 2;
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -57,19 +64,22 @@ Scene shipped(const char* scene, Overrides overrides = {}) {
   return read_scene(source_folder() / "scenes" / scene, overrides);
 }
 
+TEST(StlScene, AFlowRateIsThatOfTheRoundInlet) {
+  // 10 uL/min through a circle of 300 um that has 48 sides, of area 24 r^2 sin(2 pi / 48).
+  const Scene scene = shipped("pipe.toml", {"flow.rate=10 uL/min"});
+  EXPECT_NEAR(scene.flow.mean_velocity * 24 * std::pow(150e-6, 2) * std::sin(M_PI / 24) / (1e-8 / 60), 1, 1e-3);
+}
+
 TEST(StlScene, ParticlesEnterARoundInletWithinItsCircle) {
   const Scene scene = shipped("pipe.toml", {"particles.diameter=30 um"});
-  const Model model = make_model(scene, nullptr, {});
-  const Fluid fluid = make_fluid(scene, nullptr);
-  Inlet inlet(model);
-  Particles p;
-  RandomStream random{3};
-  inlet.scatter(p, random);
+  Filled filled(scene);
+  Particles& p = filled.particles;
   // A third of the pipe's volume, not of the box around it.
   const double length = 500e-6, solids = static_cast<double>(p.size()) * M_PI / 6 * std::pow(30e-6, 3);
   EXPECT_NEAR(solids / (scene.geometry.inlet_area * length), 0.30, 0.01);
   p = {};
-  for (int k = 0; k < 200; ++k) inlet.insert(p, fluid, random, 0);
+  const Fluid fluid = make_fluid(scene, nullptr);
+  for (int k = 0; k < 200; ++k) filled.inlet.insert(p, fluid, filled.random, 0);
   ASSERT_GT(p.size(), 40u);
   for (std::size_t i = 0; i < p.size(); ++i)
     EXPECT_LE(std::hypot(p[i].y, p[i].z - 150e-6) + 15e-6, 150e-6 * std::cos(M_PI / 48) + 1e-9);
