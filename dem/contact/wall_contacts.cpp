@@ -15,8 +15,6 @@ using Touch = WallContacts::Touch;
 
 Vec3 centre_of(const Particles& p, int i) { return {p[i].x, p[i].y, p[i].z}; }
 
-Vec3 to_vector(const Vec3& v) { return {v.x, v.y, v.z}; }
-
 /// Takes the springs of the remembered contact nearest to the place, if it is the same contact.
 bool recall(std::vector<Touch>& memory, int particle, const Vec3& place, double radius, Springs<double>& springs) {
   const auto [begin, end] = std::equal_range(memory.begin(), memory.end(), particle, [](const auto& a, const auto& b) {
@@ -44,7 +42,7 @@ bool recall(std::vector<Touch>& memory, int particle, const Vec3& place, double 
 }
 
 ContactGeometry<double> geometry(const Particles& p, int i, const Vec3& normal, double overlap) {
-  return wall_contact(to_vector(normal), overlap, p[i].radius, p[i].mass);
+  return wall_contact(normal, overlap, p[i].radius, p[i].mass);
 }
 
 }  // namespace
@@ -183,7 +181,7 @@ ContactTally WallContacts::collide_corners(Particles& p, const WallLaws& laws) {
         ++tally.contacts;
         tally.largest_overlap = std::max(tally.largest_overlap, overlap);
       } else if (laws.lubrication.viscosity > 0) {
-        const Vec3 normal = to_vector(wall.normal);
+        const Vec3& normal = wall.normal;
         const double c = film_coefficient(laws.lubrication, p[i].radius, -overlap, 1.0);
         force = (-c * wall.share * dot(velocity, normal)) * normal;
       }

@@ -70,6 +70,11 @@ public:
   }
 
 private:
+  /// What rate_ counts by: the liquid that a concentration came in with, or the time. [s]
+  double rated_time(const Fluid& fluid, double time) const {
+    return model_->scene.inlet.concentration > 0 ? fluid.drive().carried(time) : time;
+  }
+  bool fits_round(const Vec3& place, double radius) const;
   bool carries(const Fluid& fluid, const Vec3& place, RandomStream& random);
   bool is_valid(const ParticleSizes::Drawn& drawn) const;
   ParticleSizes::Drawn draw(RandomStream& random) const;
@@ -81,11 +86,6 @@ private:
 
   const Model* model_;
   bool enabled_;
-  /// What rate_ counts by: the liquid that a concentration came in with, or the time. [s]
-  double rated_time(const Fluid& fluid, double time) const {
-    return model_->scene.inlet.concentration > 0 ? fluid.drive().carried(time) : time;
-  }
-  bool fits_round(const Vec3& place, double radius) const;
   ParticleSizes::Drawn next_{0, 0};  // diameter 0: none is drawn yet
 
   double interval_ = 0, rate_;

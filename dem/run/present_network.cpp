@@ -8,8 +8,6 @@ namespace clogflow {
 
 namespace {
 
-Vec3 to_vector(const Vec3& v) { return {v.x, v.y, v.z}; }
-
 void add_pairs(NetworkLimit& network, const RunState& state) {
   const auto& p = state.particles;
   const Laws& laws = state.model.laws;
@@ -30,8 +28,8 @@ void add_walls(NetworkLimit& network, const RunState& state) {
   for (const auto& touch : state.lists.walls.touches(p)) {
     const int i = touch.particle;
     const double overlap = std::max(touch.overlap, -laws.contact.reach(p[i].radius));
-    network.add_contact(
-        i, -1, laws.contact.modes(laws.terms, wall_contact(to_vector(touch.normal), overlap, p[i].radius, p[i].mass)));
+    network.add_contact(i, -1,
+                        laws.contact.modes(laws.terms, wall_contact(touch.normal, overlap, p[i].radius, p[i].mass)));
   }
 }
 
@@ -71,7 +69,7 @@ std::vector<Film> present_films(const RunState& state) {
   if (law.viscosity > 0 && !state.lists.walls.empty())
     for (const auto& gap : state.lists.walls.gaps(p, law.farthest)) {
       const double coefficient = film_coefficient(law, p[gap.particle].radius, gap.width, 1.0);
-      if (coefficient > 0) films.push_back({gap.particle, -1, to_vector(gap.normal), gap.share * coefficient});
+      if (coefficient > 0) films.push_back({gap.particle, -1, gap.normal, gap.share * coefficient});
     }
   return films;
 }
