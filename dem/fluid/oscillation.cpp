@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "coupling/base/require.hpp"
+#include "coupling/base/shown_text.hpp"
 #include "coupling/base/text_file.hpp"
 #include "coupling/base/units.hpp"
 #include "coupling/geometry/channel_shape.hpp"
@@ -23,11 +24,12 @@ std::string time_unit(const std::string& header, const std::string& where) {
   const bool plain = names.size() == 2 && names[0] == "time";
   const bool with_unit = names.size() == 2 && names[0].starts_with("time [") && names[0].ends_with("]");
   require((plain || with_unit) && names[1] == "factor",
-          "{}: \"{}\" (the header of a table of the flow is time,factor or time [ms],factor)", where, header);
+          "{}: \"{}\" (the header of a table of the flow is time,factor or time [ms],factor)", where,
+          shown_text(header));
   if (plain) return "s";
   const std::string unit = names[0].substr(6, names[0].size() - 7);
   require(parse_quantity("1 " + unit).dimension == dimension::time, "{}: [{}] (must be a unit of time, e.g. [ms])",
-          where, unit);
+          where, shown_text(unit));
   return unit;
 }
 
@@ -35,7 +37,7 @@ double finite_number(const std::string& field, const std::string& where) {
   double value = 0;
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
   require(error == std::errc() && end == field.data() + field.size() && std::isfinite(value),
-          "{}: \"{}\" is not a finite number", where, field);
+          "{}: \"{}\" is not a finite number", where, shown_text(field));
   return value;
 }
 

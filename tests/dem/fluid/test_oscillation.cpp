@@ -102,6 +102,11 @@ TEST(Oscillation, RefusesDamagedTables) {
       {"time,factor\n0,1\n2,1\n2,3\n", ":4: time 2 s (must be later than the row before, 2 s)"},
   };
   for (const auto& each : cases) EXPECT_THAT(refusal([&] { of_table(each.first); }), HasSubstr(each.second));
+  // Of a file that is no table a message quotes a line's worth, without what would steer a terminal.
+  const std::string junk = refusal([] { of_table(("\x1b[2J" + std::string(100'000, 'x')).c_str()); });
+  EXPECT_THAT(junk, HasSubstr("header of a table"));
+  EXPECT_LT(junk.size(), 500u);
+  EXPECT_EQ(junk.find('\x1b'), std::string::npos);
 }
 
 void look_at_return(const Overrides& more) {
