@@ -65,23 +65,21 @@ void WallContacts::change(const Walls& walls, double radius, const Particles& pa
   corners_.clear();
 }
 
-WallContacts::Nearby WallContacts::nearby(const Vec3& centre, double radius) const {
+void WallContacts::find_nearby(const Vec3& centre, double radius, Nearby& found) const {
   const double reach = radius + reach_.lubrication + reach_.skin;
-  Nearby found;
-  std::vector<int> patches;
+  for (auto* list : {&found.triangles, &found.planes, &found.patches}) list->clear();
   for (int t : bins_.near(centre)) {
-    if (surface_.distance(t, centre) >= reach) continue;
+    if (!surface_.is_nearer(t, centre, reach)) continue;
     found.triangles.push_back(t);
     const int patch = surface_.patch_of(t);
-    if (std::find(patches.begin(), patches.end(), patch) != patches.end()) continue;
-    patches.push_back(patch);
+    if (std::find(found.patches.begin(), found.patches.end(), patch) != found.patches.end()) continue;
+    found.patches.push_back(patch);
     if (surface_.well_inside(surface_.patches()[patch], centre, reach_.skin)) found.planes.push_back(patch);
   }
   std::erase_if(found.planes, [&](int patch) {
     return std::any_of(found.triangles.begin(), found.triangles.end(),
                        [&](int t) { return surface_.may_share_a_touch(surface_.patches()[patch], t, reach); });
   });
-  return found;
 }
 
 void WallContacts::rebuild(const Particles& p, const std::vector<int>& renumbered) {
@@ -106,9 +104,10 @@ void WallContacts::rebuild(const Particles& p, const std::vector<int>& renumbere
   corners_.clear();
   std::vector<Springs<double>> recalled;
   std::vector<std::uint8_t> known;
+  Nearby near;
   for (int i = 0; i < static_cast<int>(p.size()); ++i) {
     const Vec3 centre = centre_of(p, i);
-    const Nearby near = nearby(centre, p[i].radius);
+    find_nearby(centre, p[i].radius, near);
     for (const int patch : near.planes) {
       const WallPatch& plane = surface_.patches()[patch];
       particle_.push_back(i);

@@ -100,9 +100,10 @@ private:
   /// What may be met near one particle.
   struct Nearby {
     std::vector<int> triangles;
+    std::vector<int> patches;
     std::vector<int> planes;  ///< patches that are met in their inside only
   };
-  Nearby nearby(const Vec3& centre, double radius) const;
+  void find_nearby(const Vec3& centre, double radius, Nearby& found) const;
 
   /// Where a particle is near edges, corners and curved walls; into `found`.
   void points_near(const Corner& corner, const Particles& particles, double widest,

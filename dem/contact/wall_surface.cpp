@@ -16,15 +16,18 @@ constexpr double same_normal = 1e-7;
 /// A triangle that comes closer by less than this share touches at the same place to rounding.
 constexpr double same_distance = 1e-12;
 
+/// A height over a plane that is larger than the reach by this share is so beyond rounding.
+constexpr double beyond_rounding = 1e-9;
+
 /// Places closer than this share of the reach are one.
 constexpr double one_place = 1e-7;
 
 Vec3 normal_of(const Triangle& t) { return cross(t.corner[1] - t.corner[0], t.corner[2] - t.corner[0]).normalized(); }
 
-double distance_to_segment(const std::array<Vec3, 2>& segment, const Vec3& point) {
+double squared_distance_to_segment(const std::array<Vec3, 2>& segment, const Vec3& point) {
   const Vec3 along = segment[1] - segment[0];
   const double share = std::clamp(dot(point - segment[0], along) / along.squaredNorm(), 0.0, 1.0);
-  return (segment[0] + share * along - point).norm();
+  return (segment[0] + share * along - point).squaredNorm();
 }
 
 }  // namespace
@@ -36,6 +39,10 @@ WallSurface::WallSurface(const Walls& walls, double weld) {
   around_.resize(mesh.corners);
   for (std::size_t t = 0; t < corner_.size(); ++t)
     for (int corner : corner_[t]) around_[corner].push_back(static_cast<int>(t));
+  for (const Triangle& triangle : triangles_) {
+    const Vec3 normal = normal_of(triangle);
+    plane_.push_back({normal, dot(normal, triangle.corner[0])});
+  }
   find_patches();
 }
 
@@ -79,15 +86,24 @@ double WallSurface::distance(int triangle, const Vec3& centre) const {
   return (closest_point(triangles_[triangle], centre).point - centre).norm();
 }
 
+bool WallSurface::is_beyond(int triangle, const Vec3& centre, double reach) const {
+  const Plane& plane = plane_[triangle];
+  return std::abs(dot(plane.normal, centre) - plane.offset) > reach * (1 + beyond_rounding);
+}
+
+bool WallSurface::is_nearer(int triangle, const Vec3& centre, double reach) const {
+  return !is_beyond(triangle, centre, reach) && distance(triangle, centre) < reach;
+}
+
 bool WallSurface::well_inside(const WallPatch& patch, const Vec3& centre, double margin) const {
   const double height = dot(patch.normal, centre) - patch.offset;
   const Vec3 foot = centre - height * patch.normal;
-  const bool inside = std::any_of(patch.triangles.begin(), patch.triangles.end(), [&](int t) {
-    return (closest_point(triangles_[t], foot).point - foot).norm() <= 1e-6 * margin;
+  if (!(height > 0)) return false;
+  const bool off_border = std::all_of(patch.border.begin(), patch.border.end(), [&](const auto& segment) {
+    return squared_distance_to_segment(segment, foot) > margin * margin;
   });
-  return inside && height > 0 && std::all_of(patch.border.begin(), patch.border.end(), [&](const auto& segment) {
-           return distance_to_segment(segment, foot) > margin;
-         });
+  return off_border && std::any_of(patch.triangles.begin(), patch.triangles.end(),
+                                   [&](int t) { return distance(t, foot) <= 1e-6 * margin; });
 }
 
 bool WallSurface::may_share_a_touch(const WallPatch& patch, int triangle, double reach) const {
@@ -115,6 +131,7 @@ void WallSurface::closest_points(const std::vector<int>& triangles, const Vec3& 
                                  std::vector<WallPoint>& found) const {
   const std::size_t begin = found.size();
   for (int t : triangles) {
+    if (is_beyond(t, centre, reach)) continue;
     const ClosestPoint closest = closest_point(triangles_[t], centre);
     const Vec3 away = centre - closest.point;
     const double distance = away.norm();

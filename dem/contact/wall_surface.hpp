@@ -40,6 +40,9 @@ public:
   /// Distance of a point to a triangle [m].
   double distance(int triangle, const Vec3& centre) const;
 
+  /// Whether a triangle is nearer than `reach` to a point.
+  bool is_nearer(int triangle, const Vec3& centre, double reach) const;
+
   /// True if the point's foot on the patch's plane lies inside the patch and farther than `margin`
   /// from its border: then the patch is met in its inside, as an endless plane is. [m]
   bool well_inside(const WallPatch& patch, const Vec3& centre, double margin) const;
@@ -53,12 +56,21 @@ public:
                       std::vector<WallPoint>& found) const;
 
 private:
+  struct Plane {
+    Vec3 normal;
+    double offset;  ///< normal . x [m]
+  };
+
   void find_patches();
+
+  /// Whether the height over a triangle's plane alone tells that it is farther than `reach`, as it does for most.
+  bool is_beyond(int triangle, const Vec3& centre, double reach) const;
   bool neighbour_comes_closer(int triangle, const Vec3& centre, const ClosestPoint& closest) const;
 
   Walls triangles_;
   std::vector<std::array<int, 3>> corner_;  // corner numbers of each triangle
   std::vector<std::vector<int>> around_;    // triangles at each corner
+  std::vector<Plane> plane_;                // of each triangle
   std::vector<int> patch_;
   std::vector<WallPatch> patches_;
 };

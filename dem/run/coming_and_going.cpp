@@ -13,13 +13,13 @@ double energy_of(const ParticleState& p) { return kinetic_energy(p, p.velocity()
 void check_inside(const RunState& state, std::size_t i) {
   const ParticleState& p = state.particles[i];
   const Domain& d = state.model.domain;
+  if (Vec3(p.x, p.y, p.z).within(d.low, d.high)) return;
   const std::string& note = state.model.walls_note;
-  const Vec3 place(p.x, p.y, p.z);
-  require(place.within(d.low, d.high),
-          "particle {} left the walls, which reach from ({:.4g}, {:.4g}, {:.4g}) to ({:.4g}, {:.4g}, {:.4g}) m, at "
-          "({:.4g}, {:.4g}, {:.4g}) m, t = {:.6g} s: {}",
-          state.particles.id[i], d.low.x, d.low.y, d.low.z, d.high.x, d.high.y, d.high.z, p.x, p.y, p.z, state.time(),
-          note.empty() ? remedy(state, p) : "through an opening? " + note);
+  throw Error(fmt::format(
+      "particle {} left the walls, which reach from ({:.4g}, {:.4g}, {:.4g}) to ({:.4g}, {:.4g}, {:.4g}) m, "
+      "at ({:.4g}, {:.4g}, {:.4g}) m, t = {:.6g} s: {}",
+      state.particles.id[i], d.low.x, d.low.y, d.low.z, d.high.x, d.high.y, d.high.z, p.x, p.y, p.z, state.time(),
+      note.empty() ? remedy(state, p) : "through an opening? " + note));
 }
 
 void take_out_arch(RunState& state, std::vector<std::uint8_t>& leaving) {
