@@ -86,9 +86,11 @@ std::vector<int> Neighbours::rebuild(Particles& p, const std::vector<std::uint8_
   const Memory memory = remember(*this, renumbered, p.size());
 
   first.clear(), second.clear();
+  room.resize(p.size());
+  for (std::size_t i = 0; i < p.size(); ++i) room[i] = reach.room(p[i]);
   const auto list = [&](int i, int j) {
     const double dx = p[i].x - p[j].x, dy = p[i].y - p[j].y, dz = p[i].z - p[j].z;
-    const double within = reach.of(p[i].radius, p[j].radius);
+    const double within = reach.contact(p[i].radius, p[j].radius) + room[i] + room[j];
     if (dx * dx + dy * dy + dz * dz >= within * within) return;
     first.push_back(i);
     second.push_back(j);

@@ -26,6 +26,9 @@ public:
   std::vector<int> first, second;
   ContactSet contacts;
 
+  /// How far each particle may go until the list may miss a pair [m].
+  std::vector<double> room;
+
   /// Radius, mass and moment of inertia of every particle if all are equal, else 0.
   double equal_radius = 0, equal_mass = 0, equal_inertia = 0;
   double smallest_radius = 0;
@@ -38,7 +41,7 @@ public:
 
   template <class Archive>
   void exchange(Archive& archive) {
-    archive(first, second, contacts);
+    archive(first, second, contacts, room);
   }
 };
 

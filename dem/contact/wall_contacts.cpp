@@ -49,7 +49,7 @@ ContactGeometry<double> geometry(const Particles& p, int i, const Vec3& normal, 
 
 WallContacts::WallContacts(const Walls& walls, double radius, const Reach& reach, double weld)
     : surface_(walls, weld),
-      bins_(surface_.triangles(), radius + reach.lubrication + reach.skin),
+      bins_(surface_.triangles(), radius + reach.lubrication + reach.skin / 2),
       reach_(reach),
       weld_(weld) {}
 
@@ -59,14 +59,14 @@ WallContacts::WallContacts(const Walls& walls, double radius, const Reach& reach
 void WallContacts::change(const Walls& walls, double radius, const Particles& particles) {
   corner_touches_ = touches(particles);
   surface_ = WallSurface(walls, weld_);
-  bins_ = WallBins(surface_.triangles(), radius + reach_.lubrication + reach_.skin);
+  bins_ = WallBins(surface_.triangles(), radius + reach_.lubrication + reach_.skin / 2);
   particle_.clear(), slot_.clear();
   contacts_.reset();
   corners_.clear();
 }
 
-void WallContacts::find_nearby(const Vec3& centre, double radius, Nearby& found) const {
-  const double reach = radius + reach_.lubrication + reach_.skin;
+void WallContacts::find_nearby(const Vec3& centre, double radius, double room, Nearby& found) const {
+  const double reach = radius + reach_.lubrication + room;
   for (auto* list : {&found.triangles, &found.planes, &found.patches}) list->clear();
   for (int t : bins_.near(centre)) {
     if (!surface_.is_nearer(t, centre, reach)) continue;
@@ -74,7 +74,7 @@ void WallContacts::find_nearby(const Vec3& centre, double radius, Nearby& found)
     const int patch = surface_.patch_of(t);
     if (std::find(found.patches.begin(), found.patches.end(), patch) != found.patches.end()) continue;
     found.patches.push_back(patch);
-    if (surface_.well_inside(surface_.patches()[patch], centre, reach_.skin)) found.planes.push_back(patch);
+    if (surface_.well_inside(surface_.patches()[patch], centre, room)) found.planes.push_back(patch);
   }
   std::erase_if(found.planes, [&](int patch) {
     return std::any_of(found.triangles.begin(), found.triangles.end(),
@@ -82,7 +82,7 @@ void WallContacts::find_nearby(const Vec3& centre, double radius, Nearby& found)
   });
 }
 
-void WallContacts::rebuild(const Particles& p, const std::vector<int>& renumbered) {
+void WallContacts::rebuild(const Particles& p, const std::vector<int>& renumbered, const std::vector<double>& room) {
   // The old slots still name the old indices; their planes do not change.
   std::vector<Touch> memory;
   for (std::size_t contact = 0; contact < contacts_.size(); ++contact) {
@@ -107,7 +107,7 @@ void WallContacts::rebuild(const Particles& p, const std::vector<int>& renumbere
   Nearby near;
   for (int i = 0; i < static_cast<int>(p.size()); ++i) {
     const Vec3 centre = centre_of(p, i);
-    find_nearby(centre, p[i].radius, near);
+    find_nearby(centre, p[i].radius, room[i], near);
     for (const int patch : near.planes) {
       const WallPatch& plane = surface_.patches()[patch];
       particle_.push_back(i);

@@ -36,7 +36,8 @@ public:
   void change(const Walls& walls, double radius, const Particles& particles);
 
   /// \param renumbered  new index of each old particle, -1 if it left
-  void rebuild(const Particles& particles, const std::vector<int>& renumbered);
+  /// \param room        how far each particle may go until the next call [m]
+  void rebuild(const Particles& particles, const std::vector<int>& renumbered, const std::vector<double>& room);
 
   /// Sorts the particles over planes by their gaps; holds until a gap may have changed by `margin`.
   void sort(const Particles& particles, double margin, const LubricationLaw& law);
@@ -103,7 +104,7 @@ private:
     std::vector<int> patches;
     std::vector<int> planes;  ///< patches that are met in their inside only
   };
-  void find_nearby(const Vec3& centre, double radius, Nearby& found) const;
+  void find_nearby(const Vec3& centre, double radius, double room, Nearby& found) const;
 
   /// Where a particle is near edges, corners and curved walls; into `found`.
   void points_near(const Corner& corner, const Particles& particles, double widest,

@@ -12,6 +12,12 @@ namespace {
 /// sorting means more candidates to watch.
 constexpr double sorted_steps = 32;
 
+double fastest_speed(const Particles& particles) {
+  double most = 0;
+  for (const ParticleState& p : particles.states) most = std::max(most, p.velocity().squaredNorm());
+  return std::sqrt(most);
+}
+
 }  // namespace
 
 ContactLists::ContactLists(const Model& model)
@@ -22,15 +28,31 @@ void ContactLists::change_walls(const Walls& others, const Particles& particles)
   outdated_ = true;
 }
 
-bool ContactLists::hold() const {
-  // Two particles may approach each other by twice the way of one.
-  return !outdated_ && !(2 * drifted_ > model_.reach.skin);
+double ContactLists::room_left(const Particles& p) const {
+  double left = model_.reach.skin;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    left = std::min(left, pairs.room[i] - (p[i].position() - made_at_[i]).norm());
+  return left;
+}
+
+bool ContactLists::hold(const Particles& particles) {
+  if (outdated_) return false;
+  if (drifted_ - drifted_when_seen_ <= room_left_) return true;
+  room_left_ = room_left(particles);
+  drifted_when_seen_ = drifted_;
+  return room_left_ >= 0;
 }
 
 void ContactLists::rebuild(Particles& particles, const std::vector<std::uint8_t>& leaving) {
-  const std::vector<int> numbers = pairs.rebuild(particles, leaving, model_.reach);
-  if (!walls.empty()) walls.rebuild(particles, numbers);
-  drifted_ = 0;
+  Reach reach = model_.reach;
+  const double fastest = fastest_speed(particles);
+  if (fastest > 0) reach.hold_time = reach.skin / 2 / fastest;
+  const std::vector<int> numbers = pairs.rebuild(particles, leaving, reach);
+  if (!walls.empty()) walls.rebuild(particles, numbers, pairs.room);
+  made_at_.clear();
+  for (const ParticleState& p : particles.states) made_at_.push_back(p.position());
+  drifted_ = drifted_when_seen_ = 0;
+  room_left_ = room_left(particles);
   outdated_ = false;
   renumbered_ = true;
   sort(particles);
@@ -41,7 +63,7 @@ void ContactLists::sort_if_due(const Particles& particles) {
 }
 
 void ContactLists::sort(const Particles& particles) {
-  const double skin = model_.reach.skin;
+  const double skin = 2 * model_.reach.least_room;
   margin_ = std::clamp(2 * sorted_steps * last_distance_, 1e-3 * skin, skin);
   drifted_when_sorted_ = drifted_;
   pairs.sort(particles, margin_, model_.laws.film);
@@ -55,7 +77,8 @@ void ContactLists::moved(double distance) {
 }
 
 bool ContactLists::valid(std::size_t particles) const {
-  return finite_from_zero(drifted_, last_distance_, margin_, drifted_when_sorted_) && pairs.valid(particles) &&
+  return finite_from_zero(drifted_, drifted_when_seen_, last_distance_, margin_, drifted_when_sorted_) &&
+         made_at_.size() == particles && pairs.room.size() == particles && pairs.valid(particles) &&
          walls.valid(particles);
 }
 

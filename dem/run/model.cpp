@@ -21,9 +21,9 @@ namespace clogflow {
 
 namespace {
 
-/// Distance that two particles may approach each other before the pair list is made anew, as a share
-/// of the diameter: the usual choice, not tuned. It changes the cost only.
-constexpr double skin_share = 0.1;
+/// Shares of the diameter: how far a slow particle may go before the lists are made anew, and the fastest. They change
+/// the cost only; tuned in flow at D/d = 3.
+constexpr double least_room_share = 0.05, widest_room_share = 0.3;
 
 /// v in v_c = 0.1 v, or the fastest initial particle as v_c where nothing flows.
 double collision_speed(const Scene& scene, const std::vector<Particle>& initial) {
@@ -158,8 +158,9 @@ Model make_model(const Scene& scene, const FlowGrid* flow, const std::vector<Par
   double largest = model.sizes.largest() / 2;
   for (const Particle& p : initial) largest = std::max(largest, p.radius);
   model.reach = {
-      skin_share * scene.particles.diameter,
+      2 * widest_room_share * scene.particles.diameter,
       std::max({model.laws.film.farthest, model.laws.pair.reach(largest / 2), model.laws.wall.contact.reach(largest)})};
+  model.reach.least_room = least_room_share * scene.particles.diameter;
   if (!model.sizes.equal()) {
     // Contacts that stick reach less than in proportion to their size.
     const double least = smallest_radius(scene, initial) / 2;

@@ -92,7 +92,7 @@ void Simulation::begin_run() {
 
 void Simulation::compute_forces() {
   feed_inlet(state_);
-  if (state_.clog_watch.pokes() || !state_.lists.hold())
+  if (state_.clog_watch.pokes() || !state_.lists.hold(particles()))
     state_.lists.rebuild(state_.particles, leaving_particles(state_));
   state_.lists.sort_if_due(state_.particles);
   if (time() >= state_.next_porosity) {

@@ -102,7 +102,7 @@ void wall_contacts(benchmark::State& state) {
   WallContacts walls(simulation.model().walls, crowd_diameter / 2, reach);
   std::vector<int> same(particles.size());
   for (std::size_t k = 0; k < same.size(); ++k) same[k] = static_cast<int>(k);
-  walls.rebuild(particles, same);
+  walls.rebuild(particles, same, std::vector<double>(particles.size(), reach.skin / 2));
   WallLaws laws = simulation.model().laws.wall;
   laws.dt = 7e-8;
   walls.sort(particles, 0.01 * reach.skin, laws.lubrication);

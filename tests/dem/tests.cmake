@@ -26,8 +26,8 @@ clog_tests(test_channel_parts
           dem/run/test_release_region.cpp dem/protocol/test_supply_watch.cpp
   LIBRARIES clog_dem LABELS unit)
 clog_tests(test_channel_runs
-  SOURCES dem/run/test_channel_runs.cpp dem/run/test_full_inlet.cpp dem/run/test_rest_proof.cpp
-          dem/run/test_similarity.cpp dem/run/test_driven_flow.cpp
+  SOURCES dem/run/test_channel_runs.cpp dem/run/test_contact_lists.cpp dem/run/test_full_inlet.cpp
+          dem/run/test_rest_proof.cpp dem/run/test_similarity.cpp dem/run/test_driven_flow.cpp
   LIBRARIES clog_dem LABELS slow)
 clog_tests(test_ensemble
   SOURCES ensemble/test_ensemble.cpp

@@ -24,7 +24,7 @@ public:
   }
 
   void rebuild() {
-    walls_.rebuild(p_, {0});
+    walls_.rebuild(p_, {0}, {skin / 2});
     walls_.sort(p_, skin, laws_.lubrication);
   }
 
