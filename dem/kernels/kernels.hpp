@@ -147,8 +147,7 @@ struct Kernels {
   AdvanceTally (*advance)(const AdvanceTask&);
 };
 
-/// The table for the fastest instruction set that both this program and this processor have: AVX2, even
-/// where there is AVX-512.
+/// The table for the fastest instruction set that both this program and this processor have: AVX-512, then AVX2.
 /// \param wanted  name of an instruction set, or empty for the fastest; CLOG_ISA in the environment
 ///                does the same
 /// \throws Error if it is unknown or the processor lacks it

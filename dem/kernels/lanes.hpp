@@ -44,22 +44,24 @@ struct Columns {
   return *reinterpret_cast<const QuadInMemory*>(record);
 }
 
-/// A vector from its quads, and back. Templates, so that only the branch that fits is compiled.
+/// A vector from its quads, and back; in registers, for a vector that two halves were stored to is not there yet when
+/// it is loaded as a whole. Templates, so that only the branch that fits is compiled.
 template <class V>
 [[gnu::always_inline]] inline V join(const RawQuad* quads) {
   if constexpr (V::size() == 4) {
     return V(quads[0]);
   } else {
-    return stdx::simd_cast<V>(stdx::concat(Quad(quads[0]), Quad(quads[1])));
+    return V(__builtin_shufflevector(quads[0], quads[1], 0, 1, 2, 3, 4, 5, 6, 7));
   }
 }
 
-template <class V>
-[[gnu::always_inline]] inline RawQuad part(const V& v, int half) {
+template <int half, class V>
+[[gnu::always_inline]] inline RawQuad part(const V& v) {
   if constexpr (V::size() == 4) {
     return static_cast<RawQuad>(v);
   } else {
-    return static_cast<RawQuad>(stdx::split<Quad>(v)[half]);
+    const auto raw = static_cast<LanesInMemory>(v);
+    return __builtin_shufflevector(raw, raw, 4 * half, 4 * half + 1, 4 * half + 2, 4 * half + 3);
   }
 }
 
@@ -127,11 +129,15 @@ struct Records {
   RawQuad rows[lanes];
 
   explicit Records(const Vector<Lanes>& v, const Lanes& w = Lanes(0.0)) {
-    for (int half = 0; half < lanes / 4; ++half) {
-      RawQuad quads[4] = {part(v.x, half), part(v.y, half), part(v.z, half), part(w, half)};
-      transpose(quads);
-      for (int k = 0; k < 4; ++k) rows[4 * half + k] = quads[k];
-    }
+    put<0>(v, w);
+    if constexpr (lanes == 8) put<lanes / 4 - 1>(v, w);
+  }
+
+  template <int half>
+  [[gnu::always_inline]] void put(const Vector<Lanes>& v, const Lanes& w) {
+    RawQuad quads[4] = {part<half>(v.x), part<half>(v.y), part<half>(v.z), part<half>(w)};
+    transpose(quads);
+    for (int k = 0; k < 4; ++k) rows[4 * half + k] = quads[k];
   }
 #else
   double rows[lanes][4];
