@@ -28,14 +28,22 @@ struct Friction {
   double sliding = 0;  ///< [-]
   double rolling = 0;  ///< [-]
   double torsion = 0;  ///< [-]
+
+  bool operator==(const Friction&) const = default;
 };
+
+/// Of a species that leaves friction to what is common to all.
+inline constexpr Friction common_friction{-1, -1, -1};
 
 /// Particles of one kind in a mixture.
 struct Species {
-  double diameter = 0;  ///< mean over their number [m]
-  double share = 0;     ///< of the number of all particles [-]
-  double density = 0;   ///< [kg/m3]; default particles.density
+  double diameter = 0;                       ///< mean over their number [m]
+  double share = 0;                          ///< of the number of all particles [-]
+  double density = 0;                        ///< [kg/m3]; default particles.density
+  Friction friction = common_friction;       ///< of its surface; what is left out is that of contact.friction
+  Friction wall_friction = common_friction;  ///< with the walls; default contact.wall_friction if given, else friction
 
+  bool has_friction() const { return !(friction == common_friction) || !(wall_friction == common_friction); }
   bool operator==(const Species&) const = default;
 };
 

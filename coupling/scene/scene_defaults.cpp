@@ -128,6 +128,24 @@ void fill_particles(SceneDraft& draft) {
   if (!draft.has("particles.roughness")) scene.particles.roughness = 0.005 * scene.particles.diameter;
 }
 
+/// A species that names a friction gets all of it: the rest of its surface's from contact.friction; with the walls
+/// what the scene says of all particles, and where it says nothing the species' own, as without species.
+void fill_friction_of_species(SceneDraft& draft) {
+  const auto& contact = draft.scene.contact;
+  const std::pair<double Friction::*, std::string_view> parts[] = {
+      {&Friction::sliding, "contact.wall_friction.sliding"},
+      {&Friction::rolling, "contact.wall_friction.rolling"},
+      {&Friction::torsion, "contact.wall_friction.torsion"}};
+  for (Species& kind : draft.scene.particles.species) {
+    if (!kind.has_friction()) continue;
+    for (const auto& [part, wall_key] : parts) {
+      if (kind.friction.*part < 0) kind.friction.*part = contact.friction.*part;
+      if (kind.wall_friction.*part < 0)
+        kind.wall_friction.*part = draft.has(wall_key) ? contact.wall_friction.*part : kind.friction.*part;
+    }
+  }
+}
+
 void fill_contact(SceneDraft& draft) {
   auto& contact = draft.scene.contact;
   need(draft, "contact.youngs_modulus");
@@ -135,6 +153,7 @@ void fill_contact(SceneDraft& draft) {
   if (!draft.has("contact.wall_friction.sliding")) contact.wall_friction.sliding = contact.friction.sliding;
   if (!draft.has("contact.wall_friction.rolling")) contact.wall_friction.rolling = contact.friction.rolling;
   if (!draft.has("contact.wall_friction.torsion")) contact.wall_friction.torsion = contact.friction.torsion;
+  fill_friction_of_species(draft);
   // Schaefer, Dippel & Wolf, J. Phys. I 6 (1996) 5: sliding and normal springs swing in step.
   if (contact.law == "hooke" && !draft.has("contact.tangential_factor")) contact.tangential_factor = 2.0 / 7.0;
   if (!draft.has("contact.wall_youngs_modulus")) contact.wall_youngs_modulus = contact.youngs_modulus;

@@ -123,7 +123,7 @@ std::vector<Key> make_keys() {
       WORD(particles.size_distribution, "of the diameters, each species about its own mean; default normal", "uniform", "normal", "lognormal", "file"),
       NUMBER(particles.size_spread, number, spread, "standard deviation over mean; default 0: equal"),
       TEXT(particles.size_file, "CSV file of size_distribution file: columns diameter, with its unit, and share"),
-      Key{"particles.species", SpeciesSlot{AT(particles.species)}, "a mixture: [{diameter = \"33 um\", share = 0.5, density = \"1062 kg/m3\"}, ...], shares of the number of particles; density by default that of all"},
+      Key{"particles.species", SpeciesSlot{AT(particles.species)}, "a mixture: [{diameter = \"33 um\", share = 0.5, density = \"1062 kg/m3\"}, ...], shares of the number of particles; density by default that of all; also friction = {sliding = 0.3, rolling = 0.1, torsion = 0.1} of its surface and wall_friction = {...} with the walls: docs/sizes.md"},
       NUMBER(particles.density, density, positive, "of the particles; default fluid.density"),
       NUMBER(particles.roughness, length, positive, "xi; default 0.005 diameter"),
       TEXT(particles.initial, "CSV file of initial particles: x,y,z,radius,vx,vy,vz,wx,wy,wz in SI units"),

@@ -29,6 +29,11 @@ std::string number_text(double value, Dimension dimension) {
   return in_quotes(si_quantity(value, dimension));
 }
 
+std::string friction_text(const Friction& friction) {
+  return fmt::format("{{sliding = {}, rolling = {}, torsion = {}}}", friction.sliding, friction.rolling,
+                     friction.torsion);
+}
+
 // The value as TOML, or nothing where the value is one that means "not used": such a value lies
 // outside its own allowed range, so the text without it is read back to the same scene.
 struct Printer {
@@ -66,6 +71,9 @@ struct Printer {
       all += fmt::format("{}{{diameter = {}, share = {}", all.empty() ? "" : ", ",
                          number_text(each.diameter, dimension::length), each.share);
       if (each.density > 0) all += ", density = " + number_text(each.density, dimension::density);
+      if (each.has_friction())
+        all += fmt::format(", friction = {}, wall_friction = {}", friction_text(each.friction),
+                           friction_text(each.wall_friction));
       all += '}';
     }
     return all.empty() ? "" : "[" + all + "]";

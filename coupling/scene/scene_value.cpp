@@ -132,12 +132,34 @@ struct Reader {
     }
   }
 
+  Friction friction(const std::string& name, const toml::node& value) const {
+    const toml::table* table = value.as_table();
+    if (!table || table->empty())
+      refuse(name, value, "must be coefficients, e.g. {sliding = 0.3, rolling = 0.1}; those left out are common");
+    Friction read = common_friction;
+    for (const auto& [field, node] : *table) {
+      const std::string path = fmt::format("{}.{}", name, field.str());
+      double Friction::*const member = field.str() == "sliding"   ? &Friction::sliding
+                                       : field.str() == "rolling" ? &Friction::rolling
+                                       : field.str() == "torsion" ? &Friction::torsion
+                                                                  : nullptr;
+      if (!member) refuse(path, node, "unknown: friction has sliding, rolling and torsion");
+      read.*member = number(path, node, dimension::number);
+      if (!(read.*member >= 0)) refuse(path, node, "must be >= 0");
+    }
+    return read;
+  }
+
   Species species(const std::string& name, const toml::node& value) const {
     const toml::table* table = value.as_table();
     if (!table) refuse(name, value, "must be a kind of particles: {diameter = \"33 um\", share = 0.5}");
     Species kind;
     for (const auto& [field, node] : *table) {
       const std::string path = fmt::format("{}.{}", name, field.str());
+      if (field.str() == "friction" || field.str() == "wall_friction") {
+        (field.str() == "friction" ? kind.friction : kind.wall_friction) = friction(path, node);
+        continue;
+      }
       double value_read = 0;
       if (field.str() == "diameter") {
         value_read = kind.diameter = number(path, node, dimension::length);
@@ -146,7 +168,8 @@ struct Reader {
       } else if (field.str() == "density") {
         value_read = kind.density = number(path, node, dimension::density);
       } else {
-        refuse(path, node, "unknown: a species has diameter, share and density; friction and all else is common");
+        refuse(path, node,
+               "unknown: a species has diameter, share, density, friction and wall_friction; all else is common");
       }
       if (!(value_read > 0)) refuse(path, node, "must be > 0");
     }

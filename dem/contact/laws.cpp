@@ -24,7 +24,8 @@ ContactLaw contact_law(const Scene& scene, const Material& other, const Friction
                           {friction.sliding, friction.rolling, friction.torsion});
 }
 
-ContactTerms contact_terms(const Friction& friction) {
+template <class Coefficients>
+ContactTerms contact_terms(const Coefficients& friction) {
   return {friction.sliding > 0, friction.rolling > 0, friction.torsion > 0};
 }
 
@@ -50,6 +51,14 @@ Laws make_laws(const Scene& scene) {
   laws.film = lubrication_law(scene);
   laws.wall.contact = contact_law(scene, {c.wall_youngs_modulus, c.wall_poisson_ratio}, c.wall_friction);
   laws.wall.terms = contact_terms(c.wall_friction);
+  if (has_friction_of_species(scene.particles)) {
+    laws.pair_friction = SpeciesFriction::between_particles(scene);
+    laws.wall_friction = SpeciesFriction::with_walls(scene);
+    laws.pair.friction = laws.pair_friction.law();
+    laws.wall.contact.friction = laws.wall_friction.law();
+    laws.pair_terms = contact_terms(laws.pair.friction);
+    laws.wall.terms = contact_terms(laws.wall.contact.friction);
+  }
   if (scene.lubrication.walls) laws.wall.lubrication = laws.film;
   laws.wall.lubrication.per_radius /= 2;  // R* at a wall is twice that of two equal spheres
   return laws;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "coupling/scene/scene.hpp"
+#include "dem/contact/species_friction.hpp"
 #include "dem/physics/contact_law.hpp"
 #include "dem/physics/lubrication.hpp"
 
@@ -22,6 +23,7 @@ struct Laws {
   ContactTerms pair_terms{};
   LubricationLaw film;  ///< between particles
   WallLaws wall;
+  SpeciesFriction pair_friction, wall_friction;  ///< what the friction of both laws points to
 };
 
 /// Those that the sections [contact] and [lubrication] name; the step is not known yet.

@@ -172,8 +172,8 @@ ContactTally WallContacts::collide_corners(Particles& p, const WallLaws& laws) {
                          recall(corner_touches_, i, wall.point, p[i].radius, touch.springs);
       if (overlap > 0 || known) {
         const ContactMotion<double> motion{velocity, p[i].spin(), {0, 0, 0}};
-        const auto loads =
-            laws.contact.at(p[i].x).loads(geometry(p, i, wall.normal, overlap), motion, laws.dt, touch.springs);
+        const auto loads = laws.contact.at(p[i].x, p.species[i], 0)
+                               .loads(geometry(p, i, wall.normal, overlap), motion, laws.dt, touch.springs);
         force = wall.share * loads.force;
         torque = wall.share * loads.torque_i;
         touches.push_back(touch);

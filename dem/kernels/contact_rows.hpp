@@ -29,6 +29,21 @@ Lanes rough_share(const FrictionLaw& friction, const Place& x) {
   return select(x() > Lanes(friction.ends), Lanes(0.0), Lanes(1.0));
 }
 
+/// The coefficients where all contacts have the same.
+struct CommonFriction {
+  static const FrictionLaw& of(const FrictionLaw& law, const ParticlePointers&, Index, Index) { return law; }
+};
+
+/// The coefficients where they depend on the species. \param j  nullptr for walls
+struct FrictionOfSpecies {
+  static ContactFriction<Lanes> of(const FrictionLaw& law, const ParticlePointers& p, Index i, Index j) {
+    int row[lanes];
+    for (int k = 0; k < lanes; ++k) row[k] = p.species[i[k]] * law.partners + (j ? p.species[j[k]] : 0);
+    const Columns c = load_records(law.of_species, friction_row, row);
+    return {c.c[0], c.c[1], c.c[2]};
+  }
+};
+
 /// Appends a row of one list to another; the last row takes its place.
 void move_row(const RowPointers& from, std::size_t at, const RowPointers& to) {
   const std::size_t last = --(*from.count), end = (*to.count)++;

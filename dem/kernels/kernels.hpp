@@ -31,6 +31,7 @@ inline constexpr int record_stride = sizeof(ParticleState) / sizeof(double), rec
 struct ParticlePointers {
   ParticleState* particle;
   double *state, *loads;  ///< the same memory, of the first particle from x and from fx on
+  const std::uint8_t* species;
   std::size_t count;
 };
 

@@ -51,7 +51,7 @@ void lubricate(const PairTask& task, Index i, Index j, int used) {
   add_force(task.particles, i, j, (-(coefficient * dot(velocity, place.apart))) * place.apart, used);
 }
 
-template <class Kind, ContactTerms terms, bool equal>
+template <class Kind, ContactTerms terms, bool equal, class Coefficients>
 Contacts collide(const PairTask& task, const typename Kind::Normal& law, std::size_t from, int used) {
   const ParticlePointers& p = task.particles;
   const Index i = task.contacts.touching.first + from, j = task.contacts.touching.second + from;
@@ -67,8 +67,8 @@ Contacts collide(const PairTask& task, const typename Kind::Normal& law, std::si
   Springs<Lanes> springs = load_springs<terms>(task.contacts, from);
   const Lanes rough = rough_share(
       task.law.friction, [&] { return Lanes(0.5) * (load_place(p, i).position.x + load_place(p, j).position.x); });
-  const ContactLoads<Lanes> loads =
-      contact_loads<typename Kind::Turning, terms>(law, task.law.friction, contact, motion, task.dt, springs, rough);
+  const ContactLoads<Lanes> loads = contact_loads<typename Kind::Turning, terms>(
+      law, Coefficients::of(task.law.friction, p, i, j), contact, motion, task.dt, springs, rough);
   store_springs<terms>(task.contacts, from, springs);
   add_force(p, i, j, loads.force, used);
   if constexpr (terms.sliding || terms.rolling || terms.torsion) {
@@ -78,7 +78,7 @@ Contacts collide(const PairTask& task, const typename Kind::Normal& law, std::si
   return {overlap, overlap <= least};
 }
 
-template <class Kind, ContactTerms terms, bool equal>
+template <class Kind, ContactTerms terms, bool equal, class Coefficients>
 [[gnu::flatten]] ContactTally collide_pairs(const PairTask& given) {
   // Copies of its own: nothing that the loops write can change them, so their constants stay in
   // registers.
@@ -98,7 +98,7 @@ template <class Kind, ContactTerms terms, bool equal>
   Lanes deepest(0.0);
   Changes ended{c.changed};
   for_vectors(*c.touching.count, [&](std::size_t from, int used) {
-    const Contacts contacts = collide<Kind, terms, equal>(task, law, from, used);
+    const Contacts contacts = collide<Kind, terms, equal, Coefficients>(task, law, from, used);
     ended.note(contacts.ended, from, used);
     deepest = max(deepest, used_lanes(contacts.overlap, used));
   });

@@ -22,7 +22,7 @@ struct OverPlane {
   }
 };
 
-template <class Kind, ContactTerms terms>
+template <class Kind, ContactTerms terms, class Coefficients>
 Contacts collide_plane(const PlaneTask& task, const typename Kind::Normal& law, std::size_t from, int used) {
   const ParticlePointers& p = task.particles;
   const Index i = task.contacts.touching.first + from;
@@ -34,9 +34,9 @@ Contacts collide_plane(const PlaneTask& task, const typename Kind::Normal& law, 
   const Vector<Lanes> still{Lanes(0.0), Lanes(0.0), Lanes(0.0)};
   const ContactMotion<Lanes> motion{m.velocity, load_spin(p, i), still};
   Springs<Lanes> springs = load_springs<terms>(task.contacts, from);
-  const ContactLoads<Lanes> loads =
-      contact_loads<typename Kind::Turning, terms>(law, task.law.friction, contact, motion, task.dt, springs,
-                                                   rough_share(task.law.friction, [&] { return over.x; }));
+  const ContactLoads<Lanes> loads = contact_loads<typename Kind::Turning, terms>(
+      law, Coefficients::of(task.law.friction, p, i, nullptr), contact, motion, task.dt, springs,
+      rough_share(task.law.friction, [&] { return over.x; }));
   store_springs<terms>(task.contacts, from, springs);
   add_force(p, i, loads.force, used);
   if constexpr (terms.sliding || terms.rolling || terms.torsion) add_torque(p, i, loads.torque_i, used);
@@ -52,7 +52,7 @@ void lubricate_plane(const PlaneTask& task, Index i, Index slot, int used) {
   add_force(task.particles, i, (-(coefficient * speed)) * over.normal, used);
 }
 
-template <class Kind, ContactTerms terms>
+template <class Kind, ContactTerms terms, class Coefficients>
 [[gnu::flatten]] ContactTally collide_planes(const PlaneTask& given) {
   // Copies of its own: nothing that the loops write can change them, so their constants stay in
   // registers.
@@ -65,7 +65,7 @@ template <class Kind, ContactTerms terms>
   Lanes deepest(0.0);
   Changes ended{c.changed};
   for_vectors(*c.touching.count, [&](std::size_t from, int used) {
-    const Contacts contacts = collide_plane<Kind, terms>(task, law, from, used);
+    const Contacts contacts = collide_plane<Kind, terms, Coefficients>(task, law, from, used);
     ended.note(contacts.ended, from, used);
     deepest = max(deepest, used_lanes(contacts.overlap, used));
   });

@@ -10,6 +10,8 @@
 namespace clogflow {
 namespace {
 
+constexpr ContactTerms all_terms{true, true, true};
+
 /// The loop of one set of terms: bit 0 of `key` sliding, bit 1 rolling, bit 2 torsion.
 template <int key, class Loop>
 ContactTally loop_of(const Loop& loop) {
@@ -29,18 +31,21 @@ ContactTally pick(ContactTerms terms, const Loop& loop) {
   }
 }
 
+/// Where species have frictions of their own, there is one loop a law, for all sizes and terms.
 template <class Kind>
 ContactTally pick_pairs(const PairTask& task, ContactTerms terms) {
+  if (task.law.friction.of_species) return collide_pairs<Kind, all_terms, false, FrictionOfSpecies>(task);
   return pick<Kind::loops>(terms, [&]<ContactTerms t>() {
     if constexpr (Kind::loops == Loops::tailored)
-      if (task.radius > 0) return collide_pairs<Kind, t, true>(task);
-    return collide_pairs<Kind, t, false>(task);
+      if (task.radius > 0) return collide_pairs<Kind, t, true, CommonFriction>(task);
+    return collide_pairs<Kind, t, false, CommonFriction>(task);
   });
 }
 
 template <class Kind>
 ContactTally pick_planes(const PlaneTask& task, ContactTerms terms) {
-  return pick<Kind::loops>(terms, [&]<ContactTerms t>() { return collide_planes<Kind, t>(task); });
+  if (task.law.friction.of_species) return collide_planes<Kind, all_terms, FrictionOfSpecies>(task);
+  return pick<Kind::loops>(terms, [&]<ContactTerms t>() { return collide_planes<Kind, t, CommonFriction>(task); });
 }
 
 /// One loop for every row of the registry, in its order.

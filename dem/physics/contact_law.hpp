@@ -56,9 +56,10 @@ struct ContactLaw {
   LawConstants constants;
   FrictionLaw friction;
 
-  /// The law at a place, which tells whether there is friction.
-  ContactLaw at(double x) const {
+  /// The law between two species at a place, which tells whether there is friction. \param second  0 for a wall
+  ContactLaw at(double x, int first, int second) const {
     ContactLaw there = *this;
+    there.friction = friction.between(first, second);
     if (x > friction.ends) there.friction = {};
     return there;
   }

@@ -18,15 +18,37 @@ struct ContactTerms {
   bool any() const { return sliding || rolling || torsion; }
 };
 
+/// Coefficient between two surfaces of different friction: the harmonic mean 2 a b / (a + b), 0 if either is 0. A rule
+/// of DEM codes, not a law of nature: where the pair was measured, no rule is needed.
+/// \source MercuryDPM, BaseSpecies::average, by which MindlinSpecies::mix and the like mix coefficients
+inline double mixed_friction(double a, double b) {
+  if (a == b) return a;
+  return a > 0 && b > 0 ? 2 * a * b / (a + b) : 0;
+}
+
+/// Doubles in a row of coefficients: sliding, rolling, torsion, none.
+inline constexpr int friction_row = 4;
+
 /// Coulomb coefficients of one kind of contact.
 struct FrictionLaw {
-  double sliding = 0;  ///< mu [-]
-  double rolling = 0;  ///< [-]
-  double torsion = 0;  ///< [-]
+  double sliding = 0;  ///< mu, the largest where species differ [-]
+  double rolling = 0;  ///< likewise [-]
+  double torsion = 0;  ///< likewise [-]
   /// Contacts farther downstream have none: where a release ends [m]
   double ends = std::numeric_limits<double>::infinity();
 
+  const double* of_species =
+      nullptr;       ///< a row for each pair of species, if they differ: dem/contact/species_friction.hpp
+  int partners = 1;  ///< species of the second, 1 for walls
+
   bool ends_somewhere() const { return ends < std::numeric_limits<double>::infinity(); }
+
+  /// Of particles of these species. \param second  0 for a wall
+  FrictionLaw between(int first, int second) const {
+    if (!of_species) return *this;
+    const double* row = of_species + friction_row * (first * partners + second);
+    return {row[0], row[1], row[2], ends};
+  }
 };
 
 /// What a normal law tells at one overlap; all that friction needs to know of it.
@@ -75,13 +97,20 @@ struct DoublingTurning {
   static constexpr double torsion_memory = 2;
 };
 
+/// Coefficients of one contact, or of a vector of contacts between different species.
+template <class Real>
+struct ContactFriction {
+  Real sliding, rolling, torsion;
+};
+
 /// Forces and torques of one contact, and its springs one step on. The arms sum up to the distance
 /// of the centres, so linear and angular momentum are conserved exactly.
 /// \param law       a normal law, e.g. Hertz
+/// \param friction  its coefficients: FrictionLaw, or ContactFriction
 /// \param springs   of the last step; zero for a new contact; updated
 /// \param rough     share of the friction that acts here: 1, or 0 where it has ended
-template <class Turning, ContactTerms terms, class NormalLaw, class Real>
-ContactLoads<Real> contact_loads(const NormalLaw& law, const FrictionLaw& friction, const ContactGeometry<Real>& g,
+template <class Turning, ContactTerms terms, class NormalLaw, class Coefficients, class Real>
+ContactLoads<Real> contact_loads(const NormalLaw& law, const Coefficients& friction, const ContactGeometry<Real>& g,
                                  const ContactMotion<Real>& m, double dt, Springs<Real>& springs,
                                  const Real& rough = Real(1.0)) {
   const Real approach = dot(m.velocity, g.normal);
@@ -91,7 +120,7 @@ ContactLoads<Real> contact_loads(const NormalLaw& law, const FrictionLaw& fricti
   if constexpr (!terms.sliding && !terms.rolling && !terms.torsion) return loads;
 
   const Real grip = rough * normal.grip;
-  const auto slider = [&](double coefficient, double stiffer) {
+  const auto slider = [&](const auto& coefficient, double stiffer) {
     return SliderParameters<Real>{stiffer * normal.stiffness, normal.dashpot, coefficient * grip, dt};
   };
   const double turning = Turning::full_stiffness ? 1 / law.tangential_factor : 1;

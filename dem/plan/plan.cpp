@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -136,6 +137,19 @@ void judge_drag(const Scene& s, Plan& plan) {
   }
 }
 
+/// How far the frictions of the species lie apart; a pair's lies between those of its two.
+void judge_species_friction(const Scene& s, const Judge& term) {
+  double least = std::numeric_limits<double>::infinity(), most = 0, least_wall = least, most_wall = 0;
+  for (const Species& kind : s.particles.species) {
+    const double own = surface_friction(s, kind).sliding, wall = wall_friction(s, kind).sliding;
+    least = std::min(least, own), most = std::max(most, own);
+    least_wall = std::min(least_wall, wall), most_wall = std::max(most_wall, wall);
+  }
+  term({"friction of species", "smallest / largest mu", most > 0 ? least / most : 1, true, true,
+        fmt::format("mu between particles {:.3g} to {:.3g}, with walls {:.3g} to {:.3g}", least, most, least_wall,
+                    most_wall)});
+}
+
 void judge_contacts(const Scene& s, const Model& model, const Judge& term) {
   const double v = s.flow.mean_velocity, d = s.particles.diameter;
   if (v > 0) {
@@ -148,11 +162,13 @@ void judge_contacts(const Scene& s, const Model& model, const Judge& term) {
   if (s.geometry.present)
     term({"third dimension", "neck width / d", s.geometry.neck_width / d, true, true,
           s.geometry.neck_width / d < 3 ? "close to a single layer" : "arches are domes"});
-  const auto& f = s.contact.friction;
+  // Where species differ, the largest of any pair.
+  const FrictionLaw& f = model.laws.pair.friction;
   term({"sliding friction", "mu", f.sliding, true, f.sliding > 0, "arches need it"});
   constexpr const char* decides = "either of rolling and torsion lets arches hold that flow without both";
   term({rolling, "mu_r", f.rolling, true, f.rolling > 0, decides});
   term({torsion, "mu_o", f.torsion, true, f.torsion > 0, decides});
+  if (has_friction_of_species(s.particles)) judge_species_friction(s, term);
 }
 
 /// What a run with several sizes is like.

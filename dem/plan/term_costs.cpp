@@ -1,6 +1,7 @@
 #include "dem/plan/term_costs.hpp"
 
 #include "coupling/scene/particle_sizes.hpp"
+#include "dem/contact/species_friction.hpp"
 
 namespace clogflow {
 
@@ -14,8 +15,18 @@ constexpr double instructions_per_diameter = 4e5;
 
 std::vector<TermCost> term_costs(const Scene& scene) {
   std::vector<TermCost> costs{{"everything else", 243}};
-  if (scene.contact.friction.rolling > 0) costs.push_back({"rolling friction", 57});
-  if (scene.contact.friction.torsion > 0) costs.push_back({"torsion friction", 19});
+  constexpr double rolling = 57, torsion = 19;
+  const bool of_species = has_friction_of_species(scene.particles);
+  const FrictionLaw friction = of_species ? SpeciesFriction::between_particles(scene).law()
+                                          : FrictionLaw{.sliding = scene.contact.friction.sliding,
+                                                        .rolling = scene.contact.friction.rolling,
+                                                        .torsion = scene.contact.friction.torsion};
+  if (friction.rolling > 0) costs.push_back({"rolling friction", rolling});
+  if (friction.torsion > 0) costs.push_back({"torsion friction", torsion});
+  // Its loop has all terms, whatever their coefficients. \measured docs/sizes.md
+  if (of_species)
+    costs.push_back(
+        {"friction of species", 25 + (friction.rolling > 0 ? 0 : rolling) + (friction.torsion > 0 ? 0 : torsion)});
   if (scene.lubrication.enabled) costs.push_back({"lubrication", 122});
   if (scene.drag.enabled) costs.push_back({"drag", 43});
   if (scene.drag.fluctuation.strength > 0) costs.push_back({"random drag", 72});

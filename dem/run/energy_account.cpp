@@ -125,7 +125,8 @@ void EnergyAccount::add_contact(const RunState& state, const Contact& c) {
   const ContactMotion<double> moved = motion(state, c.i, c.j, velocity_before, spin_before);
   const auto& p = state.particles;
   const double x = c.j < 0 ? p[c.i].x : (p[c.i].x + p[c.j].x) / 2;
-  const ContactLaw law = state.present(c.law).at(x), never_slips = sticking(c.law);
+  const int own = p.species[c.i], other = c.j < 0 ? 0 : p.species[c.j];
+  const ContactLaw law = state.present(c.law).at(x, own, other), never_slips = sticking(c.law.at(x, own, other));
   const double dt = state.clock.stretch_time();
   Springs<double> uncut = springs, held = c.springs;
   const ContactLoads<double> loads = law.loads(g, moved, dt, springs);

@@ -61,7 +61,7 @@ double half_step_energy(const Particles& p) {
 
 ParticlePointers pointers(Particles& p) {
   auto* state = reinterpret_cast<double*>(p.states.data());
-  return {p.states.data(), state, state + record_loads, p.size()};
+  return {p.states.data(), state, state + record_loads, p.species.data(), p.size()};
 }
 
 }  // namespace clogflow

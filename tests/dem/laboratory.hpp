@@ -82,7 +82,7 @@ inline std::string as_csv(const std::vector<Particle>& particles) {
 class Laboratory {
 public:
   Laboratory(Scene scene, const std::vector<Particle>& particles, const FlowGrid* flow = nullptr)
-      : file_(as_csv(particles)), simulation_((scene.particles.initial = file_.name(), scene), flow, 1) {}
+      : file_(as_csv(particles)), simulation_(start(std::move(scene), particles, flow, file_.name())) {}
 
   Simulation& operator*() { return simulation_; }
   Simulation* operator->() { return &simulation_; }
@@ -111,6 +111,15 @@ public:
   Vec3 torque(std::int64_t id) const { return get(&ParticleState::tx, &ParticleState::ty, &ParticleState::tz, id); }
 
 private:
+  /// A file knows one species alone.
+  static Simulation start(Scene scene, const std::vector<Particle>& particles, const FlowGrid* flow,
+                          const std::string& file) {
+    for (const Particle& p : particles)
+      if (p.species > 0) return Simulation(scene, flow, 1, particles);
+    scene.particles.initial = file;
+    return Simulation(scene, flow, 1);
+  }
+
   using Part = double ParticleState::*;
   Vec3 get(Part x, Part y, Part z, std::int64_t id) const {
     const ParticleState& p = simulation_.particles()[at(id)];

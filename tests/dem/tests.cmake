@@ -4,7 +4,7 @@ clog_tests(test_physics
   LIBRARIES clog_dem LABELS unit)
 clog_tests(test_few_particles
   SOURCES dem/run/test_impacts.cpp dem/run/test_friction.cpp dem/fluid/test_suspended.cpp dem/fluid/test_films.cpp
-          dem/fluid/test_fluid_noise.cpp dem/run/test_energy_account.cpp
+          dem/fluid/test_fluid_noise.cpp dem/run/test_energy_account.cpp dem/contact/test_species_friction.cpp
   LIBRARIES clog_dem LABELS unit)
 clog_tests(test_walls
   SOURCES dem/contact/test_wall_surface.cpp dem/contact/test_wall_contacts.cpp dem/contact/test_curved_walls.cpp

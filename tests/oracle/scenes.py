@@ -189,6 +189,11 @@ SCENES = {
         particles__diameter='"22 um"', lubrication__enabled="false", time__end='"5 ms"'), "straight"),
     "channel_sizes": Scene("a mixture that spreads, two densities that sink and rise, films at walls", channel(
         **MIXTURE, time__end='"8 ms"'), "straight", later=True),
+    "channel_species": Scene("two species of one size, each with a friction of its own", channel(
+        particles__diameter=None,
+        particles__species='[{diameter = "47 um", share = 0.5, friction = {sliding = 0.2, rolling = 0}}, '
+                           '{diameter = "47 um", share = 0.5, wall_friction = {torsion = 0}}]',
+        time__end='"8 ms"'), "straight", later=True),
     "channel_sticky": Scene("spheres that stick and film, a flowing start, restarts", channel(
         contact__law='"jkr"', contact__surface_energy='"0.5 mJ/m2"', inlet__start='"flowing"', inlet__strain=1,
         unclog__protocol='"restart"', unclog__duration=None, unclog__strain=1, time__end='"15 ms"'), "straight",

@@ -17,6 +17,7 @@ std::vector<Entry> all_groups() {
           {"pulsating_flow", pulsating_flow},
           {"pressure_drive", pressure_drive},
           {"unequal_sizes", unequal_sizes},
+          {"species_friction", species_friction},
           {"cohesion", cohesion},
           {"sizes", sizes},
           {"energy_closed_forms", energy_closed_forms},

@@ -45,6 +45,7 @@ Group gravity();
 Group pulsating_flow();
 Group pressure_drive();
 Group unequal_sizes();
+Group species_friction();
 Group cohesion();
 Group sizes();
 

@@ -8,6 +8,7 @@ add_library(clog_verification OBJECT
   verification/drive.cpp
   verification/gravity.cpp
   verification/unequal_sizes.cpp
+  verification/species_friction.cpp
   verification/cohesion.cpp
   verification/convergence.cpp
   verification/energy.cpp

@@ -150,12 +150,31 @@ TEST(ParticleSizes, RefuseMixturesThatCannotBe) {
               HasSubstr("shares must add up to 1, these to 0.9"));
   EXPECT_THAT(kinds(R"([{diameter="30 um",share=-1}])"), HasSubstr("particles.species[0].share = -1 (must be > 0)"));
   EXPECT_THAT(kinds(R"([{diameter=30,share=1.0}])"), HasSubstr("a length needs a unit"));
-  EXPECT_THAT(kinds(R"([{diameter="30 um",share=1.0,friction=0.5}])"),
-              HasSubstr("particles.species[0].friction = 0.5 (unknown: a species has diameter, share and density"));
+  EXPECT_THAT(kinds(R"([{diameter="30 um",share=1.0,stiffness=0.5}])"),
+              HasSubstr("particles.species[0].stiffness = 0.5 (unknown: a species has diameter, share, density, "
+                        "friction and wall_friction; all else is common)"));
   EXPECT_THAT(kinds(R"([{diameter="5 um",share=0.5},{diameter="51 um",share=0.5}])"),
               HasSubstr("diameters would be from 5 um to 51 um"));
   EXPECT_NO_THROW(parse_scene(channel, "scene",
                               {R"(particles.species=[{diameter="5 um",share=0.5},{diameter="50 um",share=0.5}])"}));
+}
+
+TEST(ParticleSizes, RefuseFrictionThatIsNone) {
+  const auto friction = [](const std::string& text) {
+    return refused({R"(particles.species=[{diameter="30 um",share=1.0,)" + text + "}]"});
+  };
+  EXPECT_THAT(friction("friction=0.5"), HasSubstr("particles.species[0].friction = 0.5 (must be coefficients, e.g. "
+                                                  "{sliding = 0.3, rolling = 0.1}; those left out are common)"));
+  EXPECT_THAT(friction("wall_friction={}"),
+              HasSubstr("particles.species[0].wall_friction = {...} (must be coefficients, e.g. "));
+  EXPECT_THAT(friction("friction={sliding=-0.1}"),
+              HasSubstr("particles.species[0].friction.sliding = -0.1 (must be >= 0)"));
+  EXPECT_THAT(friction("friction={sliding=nan}"), HasSubstr("particles.species[0].friction.sliding = nan ("));
+  EXPECT_THAT(friction(R"(friction={rolling="0.1"})"),
+              HasSubstr("particles.species[0].friction.rolling = \"0.1\" (must be a pure number"));
+  EXPECT_THAT(friction("wall_friction={twist=0.1}"),
+              HasSubstr("particles.species[0].wall_friction.twist = 0.1 (unknown: friction has sliding, rolling and "
+                        "torsion)"));
 }
 
 std::string refused_file(const std::string& text) {

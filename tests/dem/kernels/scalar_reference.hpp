@@ -71,7 +71,8 @@ private:
                                       p[i].mass * p[j].mass / (p[i].mass + p[j].mass),
                                       p[i].radius + gap / 2,
                                       p[j].radius + gap / 2};
-      const auto loads = model.laws.pair.loads(g, {moves, spin(p, i), spin(p, j)}, dt, springs);
+      const auto loads =
+          model.laws.pair.at(0, p.species[i], p.species[j]).loads(g, {moves, spin(p, i), spin(p, j)}, dt, springs);
       touching[id] = springs;
       force = loads.force;
       sum.torque[id.first] = sum.torque[id.first] + loads.torque_i;
@@ -100,7 +101,8 @@ private:
       Springs<double> springs = remembered({-1 - wall, id});
       const ContactGeometry<double> g{{n[0], n[1], n[2]},        overlap, p[i].radius, p[i].mass,
                                       p[i].radius - overlap / 2, 0};
-      const auto loads = model.laws.wall.contact.loads(g, {velocity(p, i), spin(p, i), {0, 0, 0}}, dt, springs);
+      const ContactLaw law = model.laws.wall.contact.at(0, p.species[i], 0);
+      const auto loads = law.loads(g, {velocity(p, i), spin(p, i), {0, 0, 0}}, dt, springs);
       touching[{-1 - wall, id}] = springs;
       sum.force[id] = sum.force[id] + loads.force;
       sum.torque[id] = sum.torque[id] + loads.torque_i;

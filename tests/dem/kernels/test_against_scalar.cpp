@@ -80,6 +80,26 @@ TEST_P(AgainstScalar, PolydisperseCloudAcrossManyListRebuilds) {
   compare(crowd_scene(step), polydisperse_cloud(0.2), 60);
 }
 
+/// Every third of another species, one of them without friction, one that only walls rub.
+void set_species(Scene& scene, std::vector<Particle>& particles) {
+  scene.lubrication.enabled = false;
+  scene.particles.species = {{d, 0.3, 0}, {d, 0.3, 0, {0.1, 0.4, 0}, {0.7, 0.2, 0.1}}, {d, 0.4, 0, {}, {0, 0.6, 0}}};
+  for (std::size_t k = 0; k < particles.size(); ++k) particles[k].species = static_cast<int>(k % 3);
+}
+
+TEST_P(AgainstScalar, FrictionOfSpecies) {
+  if (!has(GetParam())) GTEST_SKIP() << "this processor lacks " << GetParam();
+  const ForcedIsa isa(GetParam());
+  Scene loose = crowd_scene(step), packed = loose;
+  auto cloud = polydisperse_cloud(0.2), pack = packed_box(1e-3);
+  set_species(loose, cloud);
+  compare(loose, cloud, 60);
+  packed.box.present = true;
+  packed.box.max = packed_box_size;
+  set_species(packed, pack);
+  compare(packed, pack, 15);
+}
+
 TEST_P(AgainstScalar, DimersThatChangePlacesInTheOrderOfTheLists) {
   // Two spheres in one cell stand in order of id, in two cells in order of cells: a dimer that flies
   // along x, larger id ahead or behind, is listed now this way, now that, with all its springs wound.

@@ -222,6 +222,28 @@ TEST(Plan, SharesOfTheCostAreThoseOfTheTermsThatTheSceneHas) {
   EXPECT_LT(sum, 1);
 }
 
+TEST(Plan, KnowsTheFrictionOfSpecies) {
+  const std::string common = R"(particles.species=[{diameter="33 um",share=0.5},{diameter="33 um",share=0.5)";
+  const Overrides frictionless = {"contact.friction.sliding=0", "contact.friction.rolling=0",
+                                  "contact.friction.torsion=0"};
+  const auto plan_of = [&](const std::string& second) {
+    Overrides all = frictionless;
+    all.push_back(common + second + "}]");
+    return make_plan(cheap_paper_scene(all));
+  };
+  const Plan rough = plan_of(",friction={sliding=0.5,rolling=0.2}"), smooth = plan_of("");
+  EXPECT_EQ(term_named(rough, "sliding friction").value, 0.5);
+  EXPECT_TRUE(term_named(rough, "sliding friction").modelled);
+  EXPECT_FALSE(term_named(smooth, "sliding friction").modelled);
+  EXPECT_EQ(term_named(rough, "rolling friction").value, 0.2);
+  EXPECT_FALSE(term_named(rough, "torsion friction").modelled);
+  EXPECT_EQ(term_named(rough, "friction of species").value, 0);
+  EXPECT_THAT(term_named(rough, "friction of species").reason,
+              HasSubstr("mu between particles 0 to 0.5, with walls 0 to 0.5"));
+  EXPECT_GT(term_named(rough, "friction of species").share, 0);
+  EXPECT_EQ(std::ranges::find(smooth.terms, "friction of species", &PlannedTerm::term), smooth.terms.end());
+}
+
 TEST(Plan, CostGrowsWithStepsAndWithTheWayOfOneStep) {
   const Scene scene = cheap_paper_scene();
   const double still = instructions_per_particle_step(scene, 0), moving = instructions_per_particle_step(scene, 1e-3);
