@@ -32,11 +32,15 @@ constexpr std::chrono::seconds rank_0_speaks_within{5};
 /// Some 30 years; a timer counts whole seconds, and not every number is one [s].
 constexpr double longest_time_limit = 1e9;
 
+/// More are a mistake of a digit.
+constexpr int most_threads = 1024;
+
 struct RunOptions {
   RunSource source;
   std::filesystem::path out;
   std::string tolerance, time_limit, until;
   Ranks::Use use = Ranks::Use::mpi;
+  int threads = 1;
 };
 
 /// Without MPI rank 0 speaks for all processes that meet the same problem, and its end ends them; one that is alone
@@ -93,7 +97,8 @@ EnsembleCall call_for(const std::vector<RunPoint>& points, const RunOptions& opt
                     .ledger = options.out / "ensemble.csv"};
   for (const RunPoint& p : points) {
     if (launch.rank == 0 && !p.note.empty()) fmt::print("{}{}\n", p.folder.empty() ? "" : p.folder + ": ", p.note);
-    call.ensembles.push_back({p.scene, p.flow.get(), options.out / p.folder, &stop_asked, p.folder, p.cost});
+    call.ensembles.push_back(
+        {p.scene, p.flow.get(), options.out / p.folder, &stop_asked, p.folder, p.cost, options.threads});
     call.inputs.push_back(p.inputs);
   }
   return call;
@@ -204,6 +209,8 @@ void run_on(const RunOptions& options, Ranks& ranks) {
 }
 
 void run(const RunOptions& options) {
+  require(options.threads >= 1 && options.threads <= most_threads, "--threads {} (must be 1 to {})", options.threads,
+          most_threads);
   stop_at({SIGTERM, SIGINT, SIGALRM});
   Ranks ranks(options.use);
   ranks.run([&] { run_on(options, ranks); });
@@ -229,6 +236,8 @@ void add_run(CLI::App& app) {
                    "'relative_error(mean_burst)<=0.05'")
       ->option_text("RULE");
   verb->add_option("--set", options->source.overrides, "key=value: overrides the scene")->allow_extra_args(false);
+  verb->add_option("--threads", options->threads,
+                   "of each run, for runs of more than some ten thousand particles; the same bits for any number");
   verb->add_flag_callback(
       "--no-mpi", [options] { options->use = Ranks::Use::none; },
       "under mpirun or srun: processes that share the seeds through files alone; one that dies stops no other");

@@ -89,11 +89,11 @@ std::string standing(const Simulation& simulation) {
 std::unique_ptr<Simulation> begin(const Ensemble& ensemble, Checkpoint& checkpoint, std::uint64_t seed,
                                   const std::function<void(const std::string&)>& say) {
   const Scene scene = scene_of(ensemble.scene, seed);
-  auto simulation = std::make_unique<Simulation>(scene, ensemble.flow, seed);
+  auto simulation = std::make_unique<Simulation>(scene, ensemble.flow, seed, ensemble.threads);
   std::filesystem::path from = checkpoint.load(
       [&](const std::string& state) {
         // A state that proves bad half-way must leave nothing behind.
-        auto resumed = std::make_unique<Simulation>(scene, ensemble.flow, seed);
+        auto resumed = std::make_unique<Simulation>(scene, ensemble.flow, seed, ensemble.threads);
         resumed->resume(state);
         simulation = std::move(resumed);
       },

@@ -21,6 +21,7 @@ struct Ensemble {
   const std::atomic<bool>* stop = nullptr;  ///< when true: save the state and end
   std::string name = "";                    ///< what tells it from others of the same call; empty: alone
   double cost = 0;                          ///< expected, of one seed; only comparisons count
+  int threads = 1;                          ///< of each run
   /// Whether a seed is still of use, asked before it begins and now and then while it runs. If given, seeds run
   /// ahead of that decision: in order, and each into ahead_file(), where it does not count until it is wanted.
   std::function<bool(std::uint64_t seed)> wanted = {};

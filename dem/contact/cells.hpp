@@ -20,9 +20,9 @@ public:
   const std::vector<int>& order() const { return order_; }
 
   /// Once the particles stand in `order`: calls visit(i, j), i < j, for all that share a cell or
-  /// stand in neighbouring ones, in ascending i.
+  /// stand in neighbouring ones, in ascending i from `from` to below `to`.
   template <class Visit>
-  void for_each_pair(Visit&& visit) const;
+  void for_each_pair(std::size_t from, std::size_t to, Visit&& visit) const;
 
 private:
   /// Cells stand in columns along x, tile_edge wide: what a cell borders on is then seldom farther away
@@ -46,8 +46,11 @@ private:
 };
 
 template <class Visit>
-void Cells::for_each_pair(Visit&& visit) const {
-  for (int own = 0; own + 1 < static_cast<int>(start_.size()); ++own) {
+void Cells::for_each_pair(std::size_t from, std::size_t to, Visit&& visit) const {
+  const int begin = static_cast<int>(from), end = static_cast<int>(to);
+  const auto first = std::upper_bound(start_.begin(), start_.end(), begin) - 1;
+  for (int own = static_cast<int>(first - start_.begin()); own + 1 < static_cast<int>(start_.size()); ++own) {
+    if (start_[own] >= end) break;
     if (start_[own] == start_[own + 1]) continue;
     const auto [cx, cy, cz] = place_of(own);
     std::array<int, 27> later;  // neighbouring cells further on in the order
@@ -56,7 +59,7 @@ void Cells::for_each_pair(Visit&& visit) const {
       for (int y = std::max(cy - 1, 0); y <= std::min(cy + 1, count_[1] - 1); ++y)
         for (int z = std::max(cz - 1, 0); z <= std::min(cz + 1, count_[2] - 1); ++z)
           if (const int other = cell_index(x, y, z); other > own) later[cells++] = other;
-    for (int i = start_[own]; i < start_[own + 1]; ++i) {
+    for (int i = std::max(start_[own], begin); i < std::min(start_[own + 1], end); ++i) {
       for (int j = i + 1; j < start_[own + 1]; ++j) visit(i, j);
       for (int k = 0; k < cells; ++k)
         for (int j = start_[later[k]]; j < start_[later[k] + 1]; ++j) visit(i, j);

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <numeric>
 
 #include "coupling/base/expect.hpp"
 #include "dem/contact/size_levels.hpp"
+#include "dem/kernels/blocks.hpp"
 #include "dem/state/valid.hpp"
 
 namespace clogflow {
@@ -27,17 +29,18 @@ struct Memory {
 
 Memory remember(const Neighbours& list, const std::vector<int>& renumbered, std::size_t particles) {
   Memory memory;
-  for (std::size_t k = 0; k < list.contacts.size(); ++k) {
-    const int i = renumbered[list.contacts.first(k)], j = renumbered[list.contacts.second(k)];
-    if (i < 0 || j < 0) continue;
-    const Springs<double> springs = list.contacts.springs(k);
-    memory.contacts.push_back(i < j ? Remembered{i, j, springs} : Remembered{j, i, swapped(springs)});
-  }
-  std::stable_sort(memory.contacts.begin(), memory.contacts.end(),
-                   [](const Remembered& a, const Remembered& b) { return a.i < b.i; });
+  std::vector<Remembered> known;
+  list.for_each_contact([&](int before, int other, const Springs<double>& springs) {
+    const int i = renumbered[before], j = renumbered[other];
+    if (i < 0 || j < 0) return;
+    known.push_back(i < j ? Remembered{i, j, springs} : Remembered{j, i, swapped(springs)});
+  });
   memory.start.assign(particles + 1, 0);
-  for (const Remembered& contact : memory.contacts) ++memory.start[contact.i + 1];
+  for (const Remembered& contact : known) ++memory.start[contact.i + 1];
   std::partial_sum(memory.start.begin(), memory.start.end(), memory.start.begin());
+  std::vector<int> next(memory.start.begin(), memory.start.end() - 1);
+  memory.contacts.resize(known.size());
+  for (const Remembered& contact : known) memory.contacts[next[contact.i]++] = contact;
   return memory;
 }
 
@@ -53,22 +56,58 @@ double mean_edge(const Particles& p, const Reach& reach) {
 }
 
 /// Pairs in ascending order of the first, as the loops over them want to find particles in memory.
-void sort_by_first(std::vector<int>& first, std::vector<int>& second, std::size_t particles) {
-  std::vector<int> next(particles + 1, 0), sorted_first(first.size()), sorted_second(first.size());
-  for (const int i : first) ++next[i + 1];
+void sort_by_first(PairGroup& group, std::size_t particles) {
+  std::vector<int> next(particles + 1, 0), first(group.first.size()), second(group.first.size());
+  for (const int i : group.first) ++next[i + 1];
   std::partial_sum(next.begin(), next.end(), next.begin());
   for (std::size_t k = 0; k < first.size(); ++k) {
-    const int to = next[first[k]]++;
-    sorted_first[to] = first[k];
-    sorted_second[to] = second[k];
+    const int to = next[group.first[k]]++;
+    first[to] = group.first[k];
+    second[to] = group.second[k];
   }
-  first.swap(sorted_first);
-  second.swap(sorted_second);
+  group.first.swap(first);
+  group.second.swap(second);
+}
+
+/// Whether two particles can meet before the list is made anew.
+struct MayMeet {
+  const Particles& p;
+  const std::vector<double>& room;
+  const Reach& reach;
+
+  bool operator()(int i, int j) const {
+    const double dx = p[i].x - p[j].x, dy = p[i].y - p[j].y, dz = p[i].z - p[j].z;
+    const double within = reach.contact(p[i].radius, p[j].radius) + room[i] + room[j];
+    return dx * dx + dy * dy + dz * dz < within * within;
+  }
+};
+
+/// The group of two blocks among those of the first; made where there is none.
+PairGroup& group_of(std::vector<PairGroup>& groups, int block, int other) {
+  for (PairGroup& group : groups)
+    if (group.other == other) return group;
+  return groups.emplace_back(block, other);
+}
+
+/// Lets those touch that touched before.
+void recall(PairGroup& group, const Memory& memory) {
+  group.contacts.reset();
+  const Candidates listed = group.candidates();
+  for (std::size_t k = 0; k < listed.count; ++k)
+    for (int c = memory.start[listed.first[k]]; c < memory.start[listed.first[k] + 1]; ++c)
+      if (memory.contacts[c].j == listed.second[k])
+        group.contacts.add(listed, static_cast<int>(k), memory.contacts[c].springs);
 }
 
 }  // namespace
 
 std::vector<int> Neighbours::rebuild(Particles& p, const std::vector<std::uint8_t>& leaving, const Reach& reach) {
+  Team alone;
+  return rebuild(p, leaving, reach, alone);
+}
+
+std::vector<int> Neighbours::rebuild(Particles& p, const std::vector<std::uint8_t>& leaving, const Reach& reach,
+                                     Team& team) {
   expect(leaving.empty() || leaving.size() == p.size());
   std::vector<int> staying;
   for (std::size_t i = 0; i < p.size(); ++i)
@@ -84,38 +123,61 @@ std::vector<int> Neighbours::rebuild(Particles& p, const std::vector<std::uint8_
   p.reorder(cells.order());
   for (std::size_t k = 0; k < staying.size(); ++k) renumbered[staying[cells.order()[k]]] = static_cast<int>(k);
   const Memory memory = remember(*this, renumbered, p.size());
-
-  first.clear(), second.clear();
   room.resize(p.size());
   for (std::size_t i = 0; i < p.size(); ++i) room[i] = reach.room(p[i]);
-  const auto list = [&](int i, int j) {
-    const double dx = p[i].x - p[j].x, dy = p[i].y - p[j].y, dz = p[i].z - p[j].z;
-    const double within = reach.contact(p[i].radius, p[j].radius) + room[i] + room[j];
-    if (dx * dx + dy * dy + dz * dz >= within * within) return;
-    first.push_back(i);
-    second.push_back(j);
-  };
-  if (leveled) {
-    SizeLevels(p, reach, radius, least).for_each_pair(list);
-    sort_by_first(first, second, p.size());
-  } else {
-    cells.for_each_pair(list);
-  }
-  contacts.reset();
-  const Candidates listed{first.data(), second.data(), first.size()};
-  for (std::size_t k = 0; k < listed.count; ++k)
-    for (int c = memory.start[first[k]]; c < memory.start[first[k] + 1]; ++c)
-      if (memory.contacts[c].j == second[k]) contacts.add(listed, static_cast<int>(k), memory.contacts[c].springs);
+  if (leveled)
+    list_by_size(p, reach, radius, least);
+  else
+    list_pairs(p, cells, reach, team);
+  put_in_rounds(groups, Blocks(p.size()).count());
+  team.each(static_cast<int>(groups.size()), [&](int k) { recall(groups[static_cast<std::size_t>(k)], memory); });
   measure(p);
-  expect(first.size() == second.size() && contacts.size() <= first.size());
   return renumbered;
 }
 
-void Neighbours::sort(const Particles& p, double margin, const LubricationLaw& law) {
-  contacts.sort({first.data(), second.data(), first.size()}, margin, law, [&](std::size_t k) {
-    const int i = first[k], j = second[k];
-    const double dx = p[i].x - p[j].x, dy = p[i].y - p[j].y, dz = p[i].z - p[j].z;
-    return std::sqrt(dx * dx + dy * dy + dz * dz) - p[i].radius - p[j].radius;
+void Neighbours::list_pairs(const Particles& p, const Cells& cells, const Reach& reach, Team& team) {
+  const MayMeet may_meet{p, room, reach};
+  const Blocks blocks(p.size());
+  std::vector<std::vector<PairGroup>> found(static_cast<std::size_t>(blocks.count()));
+  team.each(blocks.count(), [&](int block) {
+    auto& own = found[static_cast<std::size_t>(block)];
+    own.emplace_back(block, block);
+    cells.for_each_pair(blocks.begin(block), blocks.end(block), [&](int i, int j) {
+      if (!may_meet(i, j)) return;
+      const int other = blocks.of(j);
+      PairGroup& group = other == block ? own.front() : group_of(own, block, other);
+      group.first.push_back(i);
+      group.second.push_back(j);
+    });
+  });
+  groups.clear();
+  for (auto& own : found) std::ranges::move(own, std::back_inserter(groups));
+}
+
+void Neighbours::list_by_size(const Particles& p, const Reach& reach, double largest, double smallest) {
+  const MayMeet may_meet{p, room, reach};
+  const Blocks blocks(p.size());
+  std::vector<std::vector<PairGroup>> found(static_cast<std::size_t>(blocks.count()));
+  SizeLevels(p, reach, largest, smallest).for_each_pair([&](int i, int j) {
+    if (!may_meet(i, j)) return;
+    const int block = blocks.of(i);
+    PairGroup& group = group_of(found[static_cast<std::size_t>(block)], block, blocks.of(j));
+    group.first.push_back(i);
+    group.second.push_back(j);
+  });
+  groups.clear();
+  for (auto& own : found) std::ranges::move(own, std::back_inserter(groups));
+  for (PairGroup& group : groups) sort_by_first(group, p.size());
+}
+
+void Neighbours::sort(const Particles& p, double margin, const LubricationLaw& law, Team& team) {
+  team.each(static_cast<int>(groups.size()), [&](int number) {
+    PairGroup& group = groups[static_cast<std::size_t>(number)];
+    group.contacts.sort(group.candidates(), margin, law, [&](std::size_t k) {
+      const int i = group.first[k], j = group.second[k];
+      const double dx = p[i].x - p[j].x, dy = p[i].y - p[j].y, dz = p[i].z - p[j].z;
+      return std::sqrt(dx * dx + dy * dy + dz * dz) - p[i].radius - p[j].radius;
+    });
   });
 }
 
@@ -132,9 +194,24 @@ void Neighbours::measure(const Particles& p) {
 }
 
 bool Neighbours::valid(std::size_t particles) const {
-  return first.size() == second.size() &&
-         (first.empty() || (point_below(first, particles) && point_below(second, particles))) &&
-         contacts.valid(first.size(), particles, particles);
+  const Blocks blocks(particles);
+  const auto is_block = [&](int block) { return block >= 0 && block < blocks.count(); };
+  const auto within = [&](const std::vector<int>& list, int block) {
+    return std::ranges::all_of(list, [&](int i) { return i >= 0 && blocks.of(i) == block; });
+  };
+  for (const PairGroup& g : groups) {
+    if (g.first.size() != g.second.size() || !is_block(g.block) || !is_block(g.other)) return false;
+    if (!within(g.first, g.block) || !within(g.second, g.other)) return false;
+    if (!g.first.empty() && !(point_below(g.first, particles) && point_below(g.second, particles))) return false;
+    if (!g.contacts.valid(g.first.size(), particles, particles)) return false;
+  }
+  // Threads rely on the rounds.
+  std::vector<PairGroup> rounds;
+  for (const PairGroup& g : groups) rounds.emplace_back(g.block, g.other);
+  put_in_rounds(rounds, blocks.count());
+  return std::ranges::equal(rounds, groups, [](const PairGroup& a, const PairGroup& b) {
+    return a.block == b.block && a.other == b.other && a.round == b.round;
+  });
 }
 
 }  // namespace clogflow

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "coupling/scene/particle_sizes.hpp"
+#include "dem/kernels/blocks.hpp"
+#include "dem/kernels/stretch.hpp"
 #include "dem/physics/dimensionless.hpp"
 
 namespace clogflow {
@@ -51,9 +53,14 @@ double Fluid::porosity_at(const ParticleState& particle) const {
 }
 
 void Fluid::evaluate(Particles& p) {
+  Team alone;
+  evaluate(p, alone);
+}
+
+void Fluid::evaluate(Particles& p, Team& team) {
   if (!drag_) return;
   for (auto* values : {&ux_, &uy_, &uz_, &coefficient_}) values->resize(p.size());
-  sample(p);
+  sample(p, team);
   if (!local_.empty()) add_surroundings(p);
   if (law_.knows_slip) add_slip(p);
   if (per_sauter_mean_ > 0) add_unequal_sizes(p);
@@ -61,7 +68,7 @@ void Fluid::evaluate(Particles& p) {
   if (viscous_torque_) add_vorticity(p);
 }
 
-void Fluid::sample(Particles& p) {
+void Fluid::sample(Particles& p, Team& team) {
   const double pulse = this->pulse();
   // Per strip: the velocity over V0, pulsating, and the coefficient.
   const bool by_strip = local_.empty() && !strips_.empty();
@@ -78,7 +85,9 @@ void Fluid::sample(Particles& p) {
                 strip.start,   strip.per_length, strip.last, strip.neck, speed.data(),
                 factor.data(), ux_.data(),       uy_.data(), uz_.data(), coefficient_.data()};
   if (field_.set_nearest(task)) {
-    kernels_.sample_nearest(task);
+    const Blocks blocks(p.size());
+    team.each(blocks.count(),
+              [&](int k) { kernels_.sample_nearest(stretch_of(task, blocks.begin(k), blocks.end(k))); });
     return;
   }
   for (std::size_t i = 0; i < p.size(); ++i) {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "coupling/base/team.hpp"
 #include "coupling/scene/scene.hpp"
 #include "dem/fluid/flow_drive.hpp"
 #include "dem/fluid/flow_field.hpp"
@@ -46,6 +47,7 @@ public:
   }
 
   /// Fills velocity and drag of every particle. Does nothing when the scene has no drag.
+  void evaluate(Particles& particles, Team& team);
   void evaluate(Particles& particles);
 
   /// Takes what evaluate() filled for q = 1 to the q that pressures balance at. \param step  what advance() is given
@@ -80,7 +82,7 @@ private:
   double pulse() const { return drive_.is_balancing() ? 1 : noise_.pulsation() * drive_.factor(); }
 
   /// Velocity and drag as they are in the particle's strip.
-  void sample(Particles& particles);
+  void sample(Particles& particles, Team& team);
 
   /// Velocity and drag from those of a lone sphere to those of the particle's surroundings.
   void add_surroundings(const Particles& particles);

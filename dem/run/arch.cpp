@@ -9,8 +9,7 @@ namespace {
 /// Contacts that press on each particle.
 std::vector<int> contacts_of(const RunState& state) {
   std::vector<int> contacts(state.count(), 0);
-  const ContactSet& pairs = state.lists.pairs.contacts;
-  for (std::size_t k = 0; k < pairs.size(); ++k) ++contacts[pairs.first(k)], ++contacts[pairs.second(k)];
+  state.lists.pairs.for_each_contact([&](int i, int j, const auto&) { ++contacts[i], ++contacts[j]; });
   if (state.lists.walls.empty()) return contacts;
   for (const auto& touch : state.lists.walls.touches(state.particles)) ++contacts[touch.particle];
   return contacts;

@@ -21,12 +21,10 @@ DeepContact deepest_contact(const RunState& state) {
     const double share = overlap / (2 * (j < 0 ? p[i].radius : std::min(p[i].radius, p[j].radius)));
     if (!(share <= worst.share)) worst = {i, j, overlap, share};
   };
-  const ContactSet& pairs = state.lists.pairs.contacts;
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    const int i = pairs.first(k), j = pairs.second(k);
+  state.lists.pairs.for_each_contact([&](int i, int j, const auto&) {
     const PairPlace<double> place = pair_place(p, i, j);
     look(i, j, place.overlap(place.distance()));
-  }
+  });
   if (!state.lists.walls.empty())
     for (const auto& touch : state.lists.walls.touches(p)) look(touch.particle, -1, touch.overlap);
   return worst;

@@ -43,11 +43,11 @@ bool ContactLists::hold(const Particles& particles) {
   return room_left_ >= 0;
 }
 
-void ContactLists::rebuild(Particles& particles, const std::vector<std::uint8_t>& leaving) {
+void ContactLists::rebuild(Particles& particles, const std::vector<std::uint8_t>& leaving, Team& team) {
   Reach reach = model_.reach;
   const double fastest = fastest_speed(particles);
   if (fastest > 0) reach.hold_time = reach.skin / 2 / fastest;
-  const std::vector<int> numbers = pairs.rebuild(particles, leaving, reach);
+  const std::vector<int> numbers = pairs.rebuild(particles, leaving, reach, team);
   if (!walls.empty()) walls.rebuild(particles, numbers, pairs.room);
   made_at_.clear();
   for (const ParticleState& p : particles.states) made_at_.push_back(p.position());
@@ -55,18 +55,18 @@ void ContactLists::rebuild(Particles& particles, const std::vector<std::uint8_t>
   room_left_ = room_left(particles);
   outdated_ = false;
   renumbered_ = true;
-  sort(particles);
+  sort(particles, team);
 }
 
-void ContactLists::sort_if_due(const Particles& particles) {
-  if (2 * (drifted_ - drifted_when_sorted_) >= margin_) sort(particles);
+void ContactLists::sort_if_due(const Particles& particles, Team& team) {
+  if (2 * (drifted_ - drifted_when_sorted_) >= margin_) sort(particles, team);
 }
 
-void ContactLists::sort(const Particles& particles) {
+void ContactLists::sort(const Particles& particles, Team& team) {
   const double skin = 2 * model_.reach.least_room;
   margin_ = std::clamp(2 * sorted_steps * last_distance_, 1e-3 * skin, skin);
   drifted_when_sorted_ = drifted_;
-  pairs.sort(particles, margin_, model_.laws.film);
+  pairs.sort(particles, margin_, model_.laws.film, team);
   if (!walls.empty()) walls.sort(particles, margin_, model_.laws.wall.lubrication);
 }
 

@@ -30,10 +30,10 @@ public:
   bool hold(const Particles& particles);
 
   /// Drops the particles marked in `leaving`, numbers the others anew and lists who may meet.
-  void rebuild(Particles& particles, const std::vector<std::uint8_t>& leaving);
+  void rebuild(Particles& particles, const std::vector<std::uint8_t>& leaving, Team& team);
 
   /// Sorts the candidates, if any gap may have changed by the margin.
-  void sort_if_due(const Particles& particles);
+  void sort_if_due(const Particles& particles, Team& team);
 
   /// The fastest particle went so far in a step [m].
   void moved(double distance);
@@ -51,7 +51,7 @@ public:
   }
 
 private:
-  void sort(const Particles& particles);
+  void sort(const Particles& particles, Team& team);
 
   /// Of the room of every particle the least that is left; below 0 if one has gone too far [m].
   double room_left(const Particles& particles) const;

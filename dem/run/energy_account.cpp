@@ -83,17 +83,14 @@ void EnergyAccount::integrate(double dt) {
 
 void EnergyAccount::add_pairs(const RunState& state) {
   const auto& p = state.particles;
-  const ContactSet& pairs = state.lists.pairs.contacts;
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    int i = pairs.first(k), j = pairs.second(k);
-    Springs<double> springs = pairs.springs(k);
+  state.lists.pairs.for_each_contact([&](int i, int j, Springs<double> springs) {
     if (p.id[i] > p.id[j]) std::swap(i, j), springs = swapped(springs);
     const PairPlace<double> place = pair_place(p, i, j);
     const double distance = place.distance();
     add_contact(
         state, {i, j, model_.laws.pair, place.contact(distance, place.overlap(distance), reduced(p[i].mass, p[j].mass)),
                 springs, 1, Vec3::Zero()});
-  }
+  });
 }
 
 void EnergyAccount::add_walls(const RunState& state) {

@@ -17,4 +17,10 @@ void meet_fluid(RunState& state);
 /// Drag, kick and drift of the next step.
 AdvanceTask advance_task(RunState& state);
 
+/// Speed at which a particle is not met by its contacts in time [m/s].
+double too_fast(const RunState& state);
+
+/// Does it, block by block; the sums are those of the blocks in order.
+AdvanceTally advance_all(RunState& state, const Kernels& kernels);
+
 }  // namespace clogflow

@@ -11,15 +11,13 @@ namespace {
 void add_pairs(NetworkLimit& network, const RunState& state) {
   const auto& p = state.particles;
   const Laws& laws = state.model.laws;
-  const ContactSet& pairs = state.lists.pairs.contacts;
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    const int i = pairs.first(k), j = pairs.second(k);
+  state.lists.pairs.for_each_contact([&](int i, int j, const auto&) {
     const PairPlace<double> place = pair_place(p, i, j);
     const double distance = place.distance();
     const double overlap = std::max(place.overlap(distance), -laws.pair.reach(place.effective_radius()));
     network.add_contact(
         i, j, laws.pair.modes(laws.pair_terms, place.contact(distance, overlap, reduced(p[i].mass, p[j].mass))));
-  }
+  });
 }
 
 void add_walls(NetworkLimit& network, const RunState& state) {
@@ -56,14 +54,12 @@ std::vector<Film> present_films(const RunState& state) {
   const Laws& laws = state.model.laws;
   std::vector<Film> films;
   if (laws.film.viscosity > 0) {
-    const Neighbours& pairs = state.lists.pairs;
-    for (std::size_t k = 0; k < pairs.first.size(); ++k) {
-      const int i = pairs.first[k], j = pairs.second[k];
+    state.lists.pairs.for_each_pair([&](int i, int j) {
       const PairPlace<double> place = pair_place(p, i, j);
       const double distance = place.distance(), gap = distance - p[i].radius - p[j].radius;
       const double coefficient = film_coefficient(laws.film, place.effective_radius(), gap, 1.0);
       if (coefficient > 0) films.push_back({i, j, (1 / distance) * place.apart, coefficient});
-    }
+    });
   }
   const LubricationLaw& law = laws.wall.lubrication;
   if (law.viscosity > 0 && !state.lists.walls.empty())

@@ -12,9 +12,10 @@ constexpr std::int64_t most_filling_steps = std::int64_t{1} << 53;
 }  // namespace
 
 RunState::RunState(const Model& constant, Fluid surrounding, std::uint64_t seed_number,
-                   const std::vector<Particle>& initial)
+                   const std::vector<Particle>& initial, int threads)
     : model(constant),
       seed(seed_number),
+      team(threads),
       clock(model.dt),
       random(seed_number),
       inlet(model),

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "coupling/base/random_stream.hpp"
+#include "coupling/base/team.hpp"
 #include "dem/fluid/films.hpp"
 #include "dem/fluid/fluid.hpp"
 #include "dem/kernels/kernels.hpp"
@@ -26,12 +27,14 @@ namespace clogflow {
 /// A run between two steps, but for what it recorded; and what the last forces showed.
 struct RunState {
   /// \param constant  must outlive the state
-  RunState(const Model& constant, Fluid surrounding, std::uint64_t seed, const std::vector<Particle>& initial);
+  RunState(const Model& constant, Fluid surrounding, std::uint64_t seed, const std::vector<Particle>& initial,
+           int threads = 1);
   RunState(const RunState&) = delete;
   RunState& operator=(const RunState&) = delete;
 
   const Model& model;
   const std::uint64_t seed;
+  Team team;  ///< decides nothing but the time that a step takes
   StepClock clock;
   RandomStream random;
   Inlet inlet;

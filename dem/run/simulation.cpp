@@ -19,16 +19,16 @@ constexpr std::int64_t watch_every = 256;
 
 }  // namespace
 
-Simulation::Simulation(const Scene& scene, const FlowGrid* flow, std::uint64_t seed)
-    : Simulation(scene, flow, seed, read_initial_particles(scene)) {
+Simulation::Simulation(const Scene& scene, const FlowGrid* flow, std::uint64_t seed, int threads)
+    : Simulation(scene, flow, seed, read_initial_particles(scene), threads) {
   check_placement(read_initial_file(scene), model_);
 }
 
 Simulation::Simulation(const Scene& scene, const FlowGrid* flow, std::uint64_t seed,
-                       const std::vector<Particle>& initial)
+                       const std::vector<Particle>& initial, int threads)
     : model_(make_model(scene, flow, initial)),
       kernels_(select_kernels()),
-      state_(model_, make_fluid(scene, flow), seed, initial),
+      state_(model_, make_fluid(scene, flow), seed, initial, threads),
       recorder_(scene, seed) {
   if (flow) recorder_.data.record.flow_hash = flow->hash;
 }
@@ -93,8 +93,8 @@ void Simulation::begin_run() {
 void Simulation::compute_forces() {
   feed_inlet(state_);
   if (state_.clog_watch.pokes() || !state_.lists.hold(particles()))
-    state_.lists.rebuild(state_.particles, leaving_particles(state_));
-  state_.lists.sort_if_due(state_.particles);
+    state_.lists.rebuild(state_.particles, leaving_particles(state_), state_.team);
+  state_.lists.sort_if_due(state_.particles, state_.team);
   if (time() >= state_.next_porosity) {
     state_.fluid.update_porosity(state_.particles);
     state_.next_porosity = time() + model_.scene.porosity.update_interval;
@@ -124,9 +124,9 @@ void Simulation::record() {
 
 void Simulation::advance() {
   stability_.check_overlap(state_);
-  const AdvanceTask task = advance_task(state_);
-  const AdvanceTally tally = kernels_.advance(task);
-  if (state_.count() > 0 && !(tally.largest_speed < task.too_fast)) blow_up(state_, "thrown", fastest_particle(state_));
+  const AdvanceTally tally = advance_all(state_, kernels_);
+  if (state_.count() > 0 && !(tally.largest_speed < too_fast(state_)))
+    blow_up(state_, "thrown", fastest_particle(state_));
   state_.loads_are_clear = true;
   state_.energy.drag_work += tally.drag_work;
   state_.energy.body_work += tally.body_work;

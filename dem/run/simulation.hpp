@@ -22,11 +22,13 @@ namespace clogflow {
 /// which is the usual two half kicks with the forces taken at the half-step velocity between them.
 class Simulation {
 public:
-  /// \param flow  nullptr without an OpenFOAM flow; must outlive the simulation
-  Simulation(const Scene& scene, const FlowGrid* flow, std::uint64_t seed);
+  /// \param flow     nullptr without an OpenFOAM flow; must outlive the simulation
+  /// \param threads  share the work of a step; the same bits come out for any number
+  Simulation(const Scene& scene, const FlowGrid* flow, std::uint64_t seed, int threads = 1);
 
   /// The same from the given particles, whatever file the scene names; masses as the scene says.
-  Simulation(const Scene& scene, const FlowGrid* flow, std::uint64_t seed, const std::vector<Particle>& initial);
+  Simulation(const Scene& scene, const FlowGrid* flow, std::uint64_t seed, const std::vector<Particle>& initial,
+             int threads = 1);
 
   /// Runs to the end. \throws Error if it blows up or loses a particle
   RunData run(const Watcher& watcher = {});

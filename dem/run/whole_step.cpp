@@ -35,16 +35,14 @@ double kinetic_energy(const RunState& state) {
 double elastic_energy(const RunState& state) {
   const auto& p = state.particles;
   const Laws& laws = state.model.laws;
-  const ContactSet& pairs = state.lists.pairs.contacts;
   const WallContacts& walls = state.lists.walls;
   double energy = walls.empty() ? 0 : walls.stored_energy(p, laws.wall.contact);
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    const int i = pairs.first(k), j = pairs.second(k);
+  state.lists.pairs.for_each_contact([&](int i, int j, const Springs<double>& springs) {
     const PairPlace<double> place = pair_place(p, i, j);
     const double distance = place.distance();
     energy += laws.pair.stored_energy(place.contact(distance, place.overlap(distance), reduced(p[i].mass, p[j].mass)),
-                                      pairs.springs(k));
-  }
+                                      springs);
+  });
   return energy;
 }
 

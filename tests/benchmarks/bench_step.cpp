@@ -12,12 +12,12 @@ namespace clogflow::test {
 namespace {
 
 /// A settled pack of 1000 times `across` times `up` spheres, made once and kept for all benchmarks.
-Simulation& pack(int across, int up) {
-  static std::map<std::pair<int, int>, std::unique_ptr<Simulation>> packs;
-  auto& found = packs[{across, up}];
+Simulation& pack(int across, int up, int threads = 1) {
+  static std::map<std::array<int, 3>, std::unique_ptr<Simulation>> packs;
+  auto& found = packs[{across, up, threads}];
   if (!found) {
     const ScratchFile file(as_csv(tiled_particles(across, up)));
-    found = std::make_unique<Simulation>(tiled_box(across, up, file.name()), nullptr, 1);
+    found = std::make_unique<Simulation>(tiled_box(across, up, file.name()), nullptr, 1, threads);
     for (int k = 0; k < 200; ++k) found->compute_forces(), found->advance();
     found->compute_forces();
   }
@@ -29,7 +29,8 @@ void count(benchmark::State& state, std::size_t items) {
 }
 
 void whole_step(benchmark::State& state) {
-  Simulation& simulation = pack(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+  Simulation& simulation = pack(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)),
+                                static_cast<int>(state.range(2)));
   for (auto _ : state) {
     simulation.compute_forces();
     simulation.advance();
@@ -39,11 +40,23 @@ void whole_step(benchmark::State& state) {
   state.counters["particles"] = static_cast<double>(particles);
   state.counters["bytes_per_particle"] = static_cast<double>(simulation.save().size()) / static_cast<double>(particles);
 }
-BENCHMARK(whole_step)->Args({1, 1})->Args({2, 5})->Args({10, 10})->Args({10, 100})->Unit(benchmark::kMicrosecond);
+BENCHMARK(whole_step)
+    ->ArgNames({"across", "up", "threads"})
+    ->Args({1, 1, 1})
+    ->Args({2, 5, 1})
+    ->Args({10, 10, 1})
+    ->Args({10, 100, 1})
+    ->Args({1, 1, 2})
+    ->Args({2, 5, 2})
+    ->Args({10, 10, 2})
+    ->Args({10, 100, 2})
+    ->UseRealTime()
+    ->Unit(benchmark::kMicrosecond);
 
 /// Lists of a pack, ready for the hot loops.
 struct Lists {
   Particles particles;
+  Team alone;
   Neighbours neighbours;
   ContactLaw law;
   LubricationLaw film;
@@ -56,12 +69,13 @@ struct Lists {
     if (lubrication > 0) film = {1.8e-3, 0.01 * crowd_diameter, lubrication, false};
     const double skin = 0.1 * crowd_diameter;
     neighbours.rebuild(particles, {}, {skin, lubrication});
-    neighbours.sort(particles, 0.01 * skin, film);
+    neighbours.sort(particles, 0.01 * skin, film, alone);
   }
 
   PairTask task() {
-    return {pointers(particles),     neighbours.contacts.pointers(), law, film, 7e-8,
-            neighbours.equal_radius, neighbours.equal_mass};
+    return {
+        pointers(particles),  neighbours.groups.front().contacts.pointers(), law, film, 7e-8, neighbours.equal_radius,
+        neighbours.equal_mass};
   }
 };
 
@@ -90,8 +104,8 @@ BENCHMARK(neighbour_build)->Unit(benchmark::kMicrosecond);
 
 void candidate_sorting(benchmark::State& state) {
   Lists lists(0);
-  for (auto _ : state) lists.neighbours.sort(lists.particles, 0.001 * crowd_diameter, lists.film);
-  count(state, lists.neighbours.first.size());
+  for (auto _ : state) lists.neighbours.sort(lists.particles, 0.001 * crowd_diameter, lists.film, lists.alone);
+  count(state, lists.neighbours.groups.front().first.size());
 }
 BENCHMARK(candidate_sorting)->Unit(benchmark::kMicrosecond);
 

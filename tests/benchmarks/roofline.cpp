@@ -93,7 +93,8 @@ int main() {
   Particles particles = simulation.particles();
   Neighbours lists;
   lists.rebuild(particles, {}, {0.1 * crowd_diameter, 0});
-  lists.sort(particles, 1e-3 * crowd_diameter, {});
+  Team alone;
+  lists.sort(particles, 1e-3 * crowd_diameter, {}, alone);
   const Kernels& kernels = select_kernels();
   double contacts = 0;
   const double begun = seconds();
@@ -102,7 +103,7 @@ int main() {
       particles.clear_loads();
       contacts += static_cast<double>(kernels
                                           .collide_pairs({pointers(particles),
-                                                          lists.contacts.pointers(),
+                                                          lists.groups.front().contacts.pointers(),
                                                           simulation.model().laws.pair,
                                                           {},
                                                           0,

@@ -8,7 +8,7 @@ clog_tests(test_flow_case
   LIBRARIES clog_coupling LABELS unit)
 clog_tests(test_file_formats
   SOURCES coupling/files/test_flow_grid.cpp coupling/files/test_run_file.cpp coupling/files/test_hdf5_faults.cpp coupling/files/test_hostile_hdf5.cpp
-          coupling/base/test_publish_file.cpp coupling/base/test_vector.cpp coupling/base/test_expect.cpp coupling/base/test_environment.cpp coupling/files/test_records.cpp
+          coupling/base/test_publish_file.cpp coupling/base/test_team.cpp coupling/base/test_vector.cpp coupling/base/test_expect.cpp coupling/base/test_environment.cpp coupling/files/test_records.cpp
   LIBRARIES clog_coupling hdf5::hdf5 LABELS unit)
 clog_tests(test_layers
   SOURCES habits/test_layers.cpp

@@ -14,8 +14,9 @@ int missing_pairs(const Simulation& simulation) {
   const Particles& p = simulation.particles();
   const Neighbours& list = simulation.state().lists.pairs;
   std::set<std::pair<int, int>> listed;
-  for (std::size_t k = 0; k < list.first.size(); ++k) listed.insert({list.first[k], list.second[k]});
-  EXPECT_EQ(listed.size(), list.first.size());
+  std::size_t count = 0;
+  list.for_each_pair([&](int i, int j) { listed.insert({i, j}), ++count; });
+  EXPECT_EQ(listed.size(), count) << "a pair came twice";
   int missing = 0;
   for (int i = 0; i < static_cast<int>(p.size()); ++i)
     for (int j = i + 1; j < static_cast<int>(p.size()); ++j) {

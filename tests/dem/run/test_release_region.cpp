@@ -43,9 +43,9 @@ TEST(ReleaseRegion, HasNoSpringsAndTheRestHasThem) {
   const double border = -0.5 * scene.geometry.neck_width;
   Springs2 near, far;
   const auto& p = state.particles;
-  const ContactSet& pairs = state.lists.pairs.contacts;
-  for (std::size_t k = 0; k < pairs.size(); ++k)
-    ((p[pairs.first(k)].x + p[pairs.second(k)].x) / 2 > border ? near : far).count(pairs.springs(k));
+  state.lists.pairs.for_each_contact([&](int i, int j, const Springs<double>& springs) {
+    ((p[i].x + p[j].x) / 2 > border ? near : far).count(springs);
+  });
   for (const auto& touch : state.lists.walls.touches(p))
     (p[touch.particle].x > border ? near : far).count(touch.springs);
   EXPECT_GE(near.none, 2);
