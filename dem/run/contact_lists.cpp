@@ -77,9 +77,9 @@ void ContactLists::moved(double distance) {
 }
 
 bool ContactLists::valid(std::size_t particles) const {
+  const bool has_rooms = made_at_.size() == particles && pairs.room.size() == particles;
   return finite_from_zero(drifted_, drifted_when_seen_, last_distance_, margin_, drifted_when_sorted_) &&
-         made_at_.size() == particles && pairs.room.size() == particles && pairs.valid(particles) &&
-         walls.valid(particles);
+         (outdated_ || has_rooms) && pairs.valid(particles) && walls.valid(particles);
 }
 
 }  // namespace clogflow
