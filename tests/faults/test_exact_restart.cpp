@@ -97,8 +97,8 @@ INSTANTIATE_TEST_SUITE_P(
                          {"contact.friction.sliding=0", "contact.friction.rolling=0", "contact.friction.torsion=0",
                           "unclog.protocol=none"}},
                     Case{"FrictionOfSpecies",
-                         {R"(particles.species=[{diameter="33 um",share=0.5,friction={sliding=0.2,torsion=0}},)"
-                          R"({diameter="33 um",share=0.5}])"}},
+                         {R"(particles.species=[{diameter="50 um",share=0.5,friction={sliding=0.2,torsion=0}},)"
+                          R"({diameter="50 um",share=0.5}])"}},
                     Case{"StartFlowing", {"inlet.start=flowing", "inlet.strain=1"}},
                     Case{"Stop", {"unclog.protocol=stop", "inlet.start=flowing", "inlet.strain=0.5", "time.end=60 ms"}},
                     Case{"Restart", {"unclog.protocol=restart", "unclog.strain=0.5", "time.end=40 ms"}},
