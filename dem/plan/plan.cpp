@@ -46,8 +46,8 @@ constexpr double adhesion_from = 1;
 /// channel of 100 um they do, at 47 um (0.13) they do not; between these it was not tried.
 constexpr double ordering_room = 0.02;
 
-/// Spread of the diameters, standard deviation over mean, from which hard spheres do not crystallize: simulations and
-/// colloids give 5 to 12 %, and nothing ordered within the time of an experiment above 8 %.
+/// Spread of the diameters, standard deviation over mean, from which hard spheres are taken not to crystallize. In
+/// simulations nothing did above 0.07, and below it the slower the wider they spread:
 /// Pusey et al., Phil. Trans. R. Soc. A 367 (2009) 4993.
 constexpr double disorder = 0.08;
 

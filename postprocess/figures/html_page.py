@@ -14,6 +14,8 @@ CAPTIONS = {
                  "those in front on top, coloured by speed.",
     "spatiotemporal": "Passages through the neck, one row a seed. Each passage is a black bar of width τ = d/v; grey: nothing passes.",
     "spatiotemporal_sweep": "The first seed of every point, as in the paper's figure 3: passages through the neck over the median length of these runs.",
+    "necks": "Necks side by side. Left: passages of each with friction on, first seed; grey: a clog of all is cleared without friction, where nothing counts. Right: passages per clog "
+             "with 95 % interval over seeds; circles: per clog of all necks at once; squares: per lapse of T_min and more of the neck itself.",
     "bursts": "Burst sizes over their mean, with the counting error. Dashed: geometric law of a memoryless clogging. In a sweep, "
               "right: the mean, first bursts and those cut off by the end included, with its 95 % interval; a triangle stands on the lower bound "
               "of a point without a clog; dashed: fitted law.",
@@ -187,6 +189,33 @@ def summary(groups):
                                "A law is called ruled out below p = 0.1.</p>")
 
 
+def necks(groups):
+    """What each of several necks let pass, beside all together; nothing where there is one."""
+    parts = []
+    for group in groups:
+        if not group.get("necks"):
+            continue
+        columns = [*group["necks"], group]
+        rows = [["passages (while friction was off)",
+                 *[f"{sum(r['passages'] for r in c['runs']):d} ({sum(r['while_off'] for r in c['runs']):d})" for c in columns]],
+                ["bursts counted (cut off by the end)", *[f"{c['bursts']['counted']} ({c['bursts']['cut_off']})" for c in columns]],
+                ["arrests (cut by a release, by the end)",
+                 *["{} ({}, {})".format(sum(c["arrests"].values()), c["arrests"]["ended_by_release"], c["arrests"]["ended_by_end_of_run"])
+                   for c in columns]],
+                ["longest lapse [ms]", *[number(1e3 * c["longest"]) for c in columns]]]
+        for key, entry in group["quantities"].items():
+            if applies(key, [group]):
+                unit = "" if entry["unit"] == "1" else f" [{entry['unit']}]"
+                rows.append([entry["meaning"] + unit, *[interval(c["quantities"][key]) for c in columns]])
+        title = f"<h3>{escaped(group['label'])}</h3>" if len(groups) > 1 else ""
+        parts.append(title + table(["", *[f"neck {k}" for k in range(len(columns) - 1)], "all together"], rows))
+    if not parts:
+        return ""
+    return ("<h2>Each neck</h2>" + "".join(parts) +
+            '<p class="quiet">In order of y. Together a clog is one of all necks at once, and a release or restart is of all. '
+            "The flow goes on through a clogged neck as through an open one.</p>")
+
+
 def halves(groups):
     rows = []
     for group in groups:
@@ -304,7 +333,7 @@ def write(statistics, paths, folder):
         title=escaped(title),
         subtitle=escaped(f"clogflow {statistics.data['program']}, {sum(len(g['runs']) for g in groups)} runs"),
         notes="".join(map(note, notes)),
-        summary=summary(groups), sweep=sweep(statistics), figures=figures(paths), halves=halves(groups), fits=fits(groups),
+        summary=summary(groups), necks=necks(groups), sweep=sweep(statistics), figures=figures(paths), halves=halves(groups), fits=fits(groups),
         provenance=provenance(groups))
     target = Path(folder) / "report.html"
     target.write_text(page, encoding="utf-8")

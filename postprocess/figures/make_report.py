@@ -6,6 +6,7 @@ from pathlib import Path
 import fig_bursts
 import fig_first_burst
 import fig_lapses
+import fig_necks
 import fig_series
 import fig_snapshots
 import fig_spatiotemporal
@@ -21,7 +22,8 @@ def main():
     folder.mkdir(parents=True, exist_ok=True)
     paths = []
     first_bursts = [fig_first_burst] if fig_first_burst.exists(statistics) else []
-    for figure in (fig_snapshots, fig_spatiotemporal, *first_bursts, fig_bursts, fig_lapses, fig_series):
+    necks = [fig_necks] if fig_necks.exists(statistics) else []
+    for figure in (fig_snapshots, fig_spatiotemporal, *necks, *first_bursts, fig_bursts, fig_lapses, fig_series):
         paths += figure.make(statistics, folder)
     paths.append(html_page.write(statistics, paths, folder))
     for path in paths:

@@ -10,6 +10,8 @@ import numpy as np
 class Events:
     passage_times: np.ndarray  # with friction on [s]
     release_times: np.ndarray  # friction switched off [s]
+    release_ends: np.ndarray   # and on again [s]
+    passage_necks: np.ndarray  # of the passages; 0 where there is one neck
 
 
 @dataclass
@@ -24,7 +26,8 @@ def read_events(path):
     with h5py.File(path, "r") as file:
         time = file["passages/time"][:]
         off = file["passages/friction_off"][:].astype(bool)
-        return Events(time[~off], file["releases/off"][:])
+        neck = file["passages/neck"][:] if "passages/neck" in file else np.zeros(len(time), dtype=int)
+        return Events(time[~off], file["releases/off"][:], file["releases/on"][:], neck[~off])
 
 
 def read_series(path):

@@ -94,8 +94,8 @@ INSTANTIATE_TEST_SUITE_P(
              {{"flow.pressure_drop", 64, "Pa", -1}}},
         Case{"Compliance", {"drag.velocity=mixture"}, {{"flow.compliance", 1e-14, "m3/Pa", 1}}},
         Case{"FrictionOfSpecies",
-             {R"(particles.species=[{diameter="30 um",share=0.5,friction={sliding=0.2,rolling=0.05}},)"
-              R"({diameter="36 um",share=0.5,wall_friction={sliding=0.3}}])"}},
+             {R"(particles.species=[{diameter="47 um",share=0.5,friction={sliding=0.2,rolling=0.05}},)"
+              R"({diameter="53 um",share=0.5,wall_friction={sliding=0.3}}])"}},
         Case{"WallFilms", {"lubrication.walls=true", "lubrication.below_roughness=clamp"}},
         Case{"ImplicitDrag", {"time.integrator=implicit_drag"}},
         Case{"ImplicitFluid", {"time.integrator=implicit_fluid"}},

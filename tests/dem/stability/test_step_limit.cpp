@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "coupling/base/source_folder.hpp"
+#include "dem/physics/drag_law.hpp"
 #include "dem/physics/laws/hertz.hpp"
 #include "dem/stability/step_limit.hpp"
 #include "dem/stability/step_watch.hpp"
@@ -364,10 +365,31 @@ TEST(ExpectedLimits, OfAMixtureAreThoseOfASmallSphereAmongLargeOnes) {
   // A lone small sphere's drag; its film with a large one: R* = 3.75 in place of 2.5 um, 1 / m = 28/27 in place of 2.
   EXPECT_DOUBLE_EQ(mixed.drag, small.drag);
   EXPECT_NEAR(small.lubrication / mixed.lubrication, 3.75 * 3.75 / (2.5 * 2.5) * 28 / 27 / 2, 1e-9);
-  // It bears (10 / 28)^2 of the drag of the mean 28 um, 0.36 of its own: the limit rises with the sixth root, and large
-  // neighbours lower it.
+  // Among its like it bears (10 / 28)^2 of the drag of the mean 28 um, 0.36 of its own: the limit rises with the sixth
+  // root, and large neighbours lower it.
   EXPECT_NEAR(mixed.contacts / small.contacts, 1, 0.2);
   EXPECT_DOUBLE_EQ(mixed.rayleigh_time, small.rayleigh_time);
+}
+
+TEST(ExpectedLimits, OfAMixtureAreThoseOfASmallSphereCaughtBetweenTwoLargeOnes) {
+  const Scene s = read_scene(source_folder() / "scenes" / "paper.toml",
+                             {R"(particles.species=[{diameter="4 um",share=0.95},{diameter="40 um",share=0.05}])",
+                              "time.step=1 ns", "contact.friction.sliding=0", "contact.friction.rolling=0",
+                              "contact.friction.torsion=0", "contact.restitution=1", "drag.velocity=interstitial"});
+  const Laws laws = make_laws(s);
+  const StepLimits limits = expected_limits({.scene = s, .laws = laws, .contact_time = 0, .has_walls = false}, {});
+  // The large ones' load: the drag of 20 spheres of Sauter's mean in a pack of porosity 0.55, times (d / mean)^2.
+  const double mean = (0.95 * 64 + 0.05 * 64000) / (0.95 * 16 + 0.05 * 1600) * 1e-6, v = s.flow.mean_velocity;
+  const double load = 20 * find_drag_law("hoef").slow_factor(0.55) * 3 * M_PI * s.fluid.viscosity * mean * v / 0.55 *
+                      std::pow(40e-6 / mean, 2);
+  const double radius = 2e-6 * 20e-6 / 22e-6, nu = s.contact.poisson_ratio;
+  const double modulus = s.contact.youngs_modulus / (2 * (1 - nu * nu));
+  const double overlap = std::pow(3 * load / (4 * modulus * std::sqrt(radius)), 2.0 / 3);
+  EXPECT_NEAR(limits.expected_overlap, overlap / 4e-6, 1e-3 * overlap / 4e-6);
+  // Between two that hardly move: omega^2 = 2 k / m, k = 2 E* sqrt(R* delta); the limit 2 / omega.
+  const double mass = s.particles.density * s.time.mass_scale * M_PI / 6 * std::pow(4e-6, 3);
+  EXPECT_NEAR(limits.contacts, 2 / std::sqrt(2 * 2 * modulus * std::sqrt(radius * overlap) / mass),
+              2e-3 * limits.contacts);
 }
 
 }  // namespace

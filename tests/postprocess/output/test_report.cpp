@@ -134,6 +134,59 @@ assert np.allclose(axes.get_xlim(), (-560 if two else -650, 100))
   }
 }
 
+/// Neck 1 lets pass half of what neck 0 does, and what it did while friction was off.
+RunData uneven_necks(std::uint64_t seed) {
+  RunData run = synthetic_run({.end = 1, .snapshot_interval = 0, .more = {}}, seed);
+  run.passages = {};
+  run.record.necks = 2;
+  for (int k = 0; k < 300; ++k) {
+    add_passage(run, 3e-3 * k, k < 3);
+    run.passages.neck.push_back(k % 3 == 2 ? 1 : 0);
+  }
+  return run;
+}
+
+TEST_F(Report, several_necks_have_a_table_and_a_figure) {
+  std::filesystem::create_directories(here_ / "runs");
+  for (const std::uint64_t seed : {1, 2}) write_run_file(uneven_necks(seed), here_ / "runs" / run_file_name(seed));
+  make(here_ / "runs");
+  EXPECT_THAT(text_of(here_ / "report" / "necks.png"), StartsWith("\x89PNG"));
+  EXPECT_THAT(text_of(here_ / "report" / "necks.svg"),
+              AllOf(HasSubstr("neck 0"), HasSubstr("neck 1"), HasSubstr("together"), HasSubstr("passages so far")));
+  EXPECT_THAT(page(),
+              AllOf(HasSubstr("<h2>Each neck</h2>"), HasSubstr("<th>neck 0</th><th>neck 1</th><th>all together</th>"),
+                    HasSubstr("<td>passages (while friction was off)</td><td>396 (4)</td><td>198 (2)</td>"
+                              "<td>594 (6)</td>")));
+  // The curves end where the counts do.
+  std::ofstream(here_ / "curves.py") << R"(
+import json, sys
+sys.path.insert(0, sys.argv[1])
+import matplotlib.pyplot as plt
+import fig_necks
+figure, axes = plt.subplots()
+fig_necks.draw_passages(axes, json.load(open(sys.argv[2]))["groups"][0], ["red", "blue"])
+assert [int(line.get_ydata()[-1]) for line in axes.lines if line.get_label().startswith("neck")] == [198, 99]
+)";
+  EXPECT_EQ(std::system(fmt::format("/usr/bin/python3 {} {} {}", (here_ / "curves.py").string(),
+                                    (source_folder() / "postprocess" / "figures").string(),
+                                    (here_ / "stats" / "stats.json").string())
+                            .c_str()),
+            0);
+}
+
+TEST_F(Report, necks_that_let_nothing_pass_say_so_and_one_neck_says_nothing) {
+  std::filesystem::create_directories(here_ / "runs");
+  RunData run = uneven_necks(1);
+  run.passages = {};
+  write_run_file(run, here_ / "runs" / run_file_name(1));
+  make(here_ / "runs");
+  EXPECT_THAT(text_of(here_ / "report" / "necks.svg"),
+              AllOf(HasSubstr("nothing passes in the first seed"), HasSubstr("no burst that began and ended")));
+  make(write_ensemble(here_ / "single", {.mean_burst = 5, .end = 0.3, .snapshot_interval = 0, .more = {}}, 1));
+  EXPECT_FALSE(std::filesystem::exists(here_ / "report" / "necks.png"));
+  EXPECT_THAT(page(), Not(HasSubstr("Each neck")));
+}
+
 TEST_F(Report, without_any_passage_the_figures_say_so) {
   auto run = synthetic_run({.end = 0.1, .snapshot_interval = 0, .more = {}}, 1);
   run.passages = {};
