@@ -12,6 +12,7 @@ from . import figures
 from .ensemble import Ensemble
 from .errors import ClogflowError, FileError, ProgramError
 from .flow import Flow
+from .program import TOP as _TOP
 from .program import find_program
 from .run_file import Run, Snapshot, Snapshots
 from .scene import Scene
@@ -20,5 +21,6 @@ from .statistics_files import Statistics, fit, statistics
 from .tables import units
 
 __version__ = "0.1.0"
-__all__ = ["ClogflowError", "Ensemble", "FileError", "Flow", "ProgramError", "Run", "Scene", "Snapshot", "Snapshots",
+SCENES = _TOP / "scenes"  #: folder of the scenes that come with the program
+__all__ = ["ClogflowError", "Ensemble", "FileError", "Flow", "ProgramError", "Run", "SCENES", "Scene", "Snapshot", "Snapshots",
            "Statistics", "figures", "find_program", "fit", "plan", "run", "solve_flow", "statistics", "units"]

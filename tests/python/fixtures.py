@@ -27,12 +27,17 @@ TAU = 45e-6 / 5e-3  # [s]
 END = 0.2           # [s]
 
 
+def scratch():
+    """A folder that the end of the process takes away."""
+    made = pathlib.Path(tempfile.mkdtemp(prefix="clogflow-test-"))
+    atexit.register(shutil.rmtree, made, ignore_errors=True)
+    return made
+
+
 @functools.cache
 def folder():
     """scene.toml, flow.h5, runs/ (seeds 3 and 4), stats/"""
-    scratch = pathlib.Path(tempfile.mkdtemp(prefix="clogflow-test-"))
-    atexit.register(shutil.rmtree, scratch, ignore_errors=True)
-    return crash_inputs.make(PROGRAM, scratch / "made")
+    return crash_inputs.make(PROGRAM, scratch() / "made")
 
 
 @functools.cache
