@@ -3,8 +3,7 @@
     paraview --script=FOLDER/show_in_paraview.py       or, in ParaView: Tools > Python Shell > Run Script (or Macros > Import)
     xvfb-run pvbatch FOLDER/show_in_paraview.py PICTURE.png     the first moment as a picture, without a screen
 
-Particles are coloured by speed; "force [N]", "species" and the others are one click away. As a macro it asks for no
-folder: it opens that of the file it was imported from, or the one ParaView was started in.
+Particles are coloured by speed; "force [N]", "species" and the others are one click away.
 """
 
 import sys
@@ -13,7 +12,8 @@ from pathlib import Path
 from paraview.simple import (ColorBy, GetActiveViewOrCreate, GetAnimationScene, GetColorTransferFunction, GetScalarBar, Glyph, Hide,
                              OpenDataFile, Render, ResetCamera, SaveScreenshot, Show, Slice)
 
-FOLDER = Path(__file__).resolve().parent if "__file__" in globals() else Path.cwd()
+WRITTEN_TO = ""  # clog export puts its folder here: ParaView's window does not tell a script where it stands
+FOLDER = Path(__file__).resolve().parent if "__file__" in globals() else Path(WRITTEN_TO or ".")
 QUALITY = 16  # pieces around a sphere
 VELOCITY, RADIUS = "velocity [m/s]", "radius [m]"
 WIDTH, HEIGHT = 1600, 700  # of the picture

@@ -2,6 +2,8 @@
 
 #include <numeric>
 
+#include <nlohmann/json.hpp>
+
 #include "coupling/base/publish_file.hpp"
 #include "coupling/base/require.hpp"
 #include "coupling/base/source_folder.hpp"
@@ -97,7 +99,14 @@ fs::path export_flow(const FlowGrid& flow, const std::string& name, const fs::pa
 
 fs::path export_macro(const fs::path& out) {
   const fs::path file = made(out) / "show_in_paraview.py";
-  publish_file(read_text_file(source_folder() / "postprocess/figures/show_in_paraview.py"), file);
+  const fs::path script = source_folder() / "postprocess/figures/show_in_paraview.py";
+  std::string text = read_text_file(script);
+  const std::string empty = "WRITTEN_TO = \"\"";
+  const std::size_t place = text.find(empty);
+  require(place != std::string::npos, "{}: has no line {}", script.string(), empty);
+  // A text of JSON is one of Python, whatever the folder is called.
+  text.replace(place, empty.size(), "WRITTEN_TO = " + nlohmann::json(fs::absolute(out).string()).dump());
+  publish_file(text, file);
   return file;
 }
 
