@@ -88,7 +88,7 @@ def main():
     shown += [show_walls(file, view) for file in FOLDER.glob("walls.vtp")]
     for file in sorted(FOLDER.glob("*.hdf")):
         add_flow(file, view)
-    GetAnimationScene().UpdateAnimationUsingDataTimeSteps()
+    GetAnimationScene().PlayMode = "Snap To TimeSteps"
     look_from_above(view, shown)
     Render(view)
     if picture:
