@@ -10,7 +10,7 @@ import sys
 from pathlib import Path
 
 from paraview.simple import (ColorBy, GetActiveViewOrCreate, GetAnimationScene, GetColorTransferFunction, GetScalarBar, Glyph, Hide,
-                             OpenDataFile, Render, ResetCamera, SaveScreenshot, Show, Slice)
+                             OpenDataFile, Render, ResetCamera, SaveScreenshot, SetActiveSource, Show, Slice)
 
 WRITTEN_TO = ""  # clog export puts its folder here: ParaView's window does not tell a script where it stands
 FOLDER = Path(__file__).resolve().parent if "__file__" in globals() else Path(WRITTEN_TO or ".")
@@ -90,6 +90,7 @@ def main():
         add_flow(file, view)
     GetAnimationScene().PlayMode = "Snap To TimeSteps"
     look_from_above(view, shown)
+    SetActiveSource(None)  # or the handles of its shape are drawn
     Render(view)
     if picture:
         SaveScreenshot(picture, view, ImageResolution=[WIDTH, HEIGHT])

@@ -16,11 +16,11 @@ from .program import TOP as _TOP
 from .program import find_program
 from .run_file import Run, Snapshot, Snapshots
 from .scene import Scene
-from .simulate import plan, run, solve_flow
+from .simulate import export, plan, run, solve_flow
 from .statistics_files import Statistics, fit, statistics
 from .tables import units
 
 __version__ = "0.1.0"
 SCENES = _TOP / "scenes"  #: folder of the scenes that come with the program
 __all__ = ["ClogflowError", "Ensemble", "FileError", "Flow", "ProgramError", "Run", "SCENES", "Scene", "Snapshot", "Snapshots",
-           "Statistics", "figures", "find_program", "fit", "plan", "run", "solve_flow", "statistics", "units"]
+           "Statistics", "export", "figures", "find_program", "fit", "plan", "run", "solve_flow", "statistics", "units"]

@@ -7,6 +7,7 @@ from .ensemble import Ensemble
 from .errors import FileError, ProgramError
 from .flow import Flow
 from .program import HOUR, Value, bounded, call, overrides, written
+from .run_file import Run
 
 
 def scene_words(scene: str | Path, set: Mapping[str, Value] | None) -> list[str | Path]:
@@ -57,6 +58,16 @@ def run(scene: str | Path, out: str | Path, *, seeds: str | int | Sequence[int] 
     except FileError as error:
         last = said.strip().splitlines()[-1:] or ["nothing"]
         raise ProgramError(f"{out}: no run has ended yet; the program said: {last[0]}", 0, said) from error
+
+
+def export(source: Run | Flow | str | Path, out: str | Path, *, format: str = "all", flow: Flow | str | Path | None = None,
+           walls: bool = True, program: str | Path | None = None, timeout: float | None = HOUR) -> list[Path]:
+    """Files for ParaView ("vtk"), OVITO ("xyz") or both ("all") of a run, or of a flow for ParaView (`clog export`).
+    `flow`: that of the run, to be exported with it. Returns the files to open. Raises ProgramError."""
+    path = source.path if isinstance(source, (Run, Flow)) else Path(source)
+    words: list[str | Path] = ["export", path, "--out", Path(out), "--format", format, *flow_words(flow)]
+    said = call(words + ([] if walls else ["--no-walls"]), program=program, timeout=timeout)
+    return [Path(line) for line in said.splitlines()]
 
 
 def flow_words(flow: Flow | str | Path | None) -> list[str | Path]:

@@ -155,6 +155,13 @@ class OfARun(unittest.TestCase):
         self.assertEqual(clog("export", "runs/run_0003.h5", "--format", "vtk", "--no-walls", "--out", "paraview").returncode, 0)
         self.assertEqual({file.name for file in (fixtures.folder() / "paraview").iterdir()}, {"run_0003", "run_0003.pvd", "show_in_paraview.py"})
 
+    def test_from_python(self):
+        files = clogflow.export(self.run_data, fixtures.folder() / "by_python", format="vtk", walls=False, flow=fixtures.folder() / "flow.h5")
+        self.assertEqual([file.name for file in files], ["run_0003.pvd", "flow.hdf", "show_in_paraview.py"])
+        self.assertTrue(all(file.is_file() for file in files))
+        with self.assertRaisesRegex(clogflow.ProgramError, "a flow has no particles"):
+            clogflow.export(clogflow.Flow(fixtures.folder() / "flow.h5"), fixtures.folder() / "by_python", format="xyz")
+
     def test_a_flow_alone(self):
         done = clog("export", "flow.h5", "--out", "flow_alone")
         self.assertEqual(done.returncode, 0, done.stderr)
