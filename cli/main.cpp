@@ -48,6 +48,7 @@ int main(int argc, char** argv) {
   clogflow::cli::add_report(app);
   clogflow::cli::add_trade(app);
   clogflow::cli::add_info(app);
+  clogflow::cli::add_export(app);
   try {
     check_verb(app, argc, argv);
     app.parse(argc, argv);

@@ -20,5 +20,6 @@ void add_fit(CLI::App& app);
 void add_report(CLI::App& app);
 void add_trade(CLI::App& app);
 void add_info(CLI::App& app);
+void add_export(CLI::App& app);
 
 }  // namespace clogflow::cli

@@ -63,10 +63,10 @@ def draw_distribution(axes, statistics):
         style.legend(axes, loc="upper right")
 
 
-def make(statistics, folder):
+def figures(statistics):
     sweep = fig_trend.exists(statistics)
     figure, panels = plt.subplots(1, 2 if sweep else 1, figsize=(style.PAGE if sweep else 4.6, 3.3), squeeze=False)
     draw_distribution(panels[0, 0], statistics)
     if sweep:
         fig_trend.draw_mean_burst(panels[0, 1], statistics)
-    return style.save(figure, folder, "bursts")
+    yield "bursts", figure

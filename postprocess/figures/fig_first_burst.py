@@ -68,7 +68,9 @@ def draw_hazard(axes, rows, colour, marker):
         axes.plot(middle, row["hazard [1]"], marker, ms=4, color=colour, mec="white", mew=0.4)
 
 
-def make(statistics, folder):
+def figures(statistics):
+    if not exists(statistics):
+        return
     figure, (above, below) = plt.subplots(2, 1, figsize=(4.6, 5.4), sharex=True, height_ratios=(3, 2))
     colours = style.group_colours(len(statistics.groups))
     lowest, empty = 0.5, True
@@ -95,4 +97,4 @@ def make(statistics, folder):
         style.legend_beside(above)
     elif not empty:
         style.legend(above, loc="lower left", bbox_to_anchor=(0, 1.01), borderaxespad=0)
-    return style.save(figure, folder, "first_burst")
+    yield "first_burst", figure

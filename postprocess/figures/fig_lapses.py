@@ -133,7 +133,7 @@ def draw_laws(axes, group, x, single):
               label=f"exponential (likelihood ratio: {fit['exponential']['favoured']})")
 
 
-def make(statistics, folder):
+def figures(statistics):
     sweep = fig_trend.exists(statistics)
     count = 3 if sweep else 2
     figure, panels = plt.subplots(1, count, figsize=(3.5 * count, 3.4))
@@ -144,4 +144,4 @@ def make(statistics, folder):
         fig_trend.draw_alpha(panels[2], statistics)
     for letter, axes in zip("abc", panels):
         axes.set_title(letter)
-    return style.save(figure, folder, "lapses")
+    yield "lapses", figure

@@ -11,11 +11,6 @@ MEANS = (("mean_burst", "o", "until all stand"), ("mean_burst_by_threshold", "s"
 NOTHING_TO_SHOW = "no burst that began and ended"
 
 
-def exists(statistics):
-    """Whether any group counts at several necks."""
-    return any(group.get("necks") for group in statistics.groups)
-
-
 def name_of(neck):
     return f"neck {neck}"
 
@@ -66,17 +61,15 @@ def draw_means(axes, group, colours):
     axes.legend(loc="upper left")
 
 
-def draw(group, folder, name):
+def draw(group):
     figure, (passages, means) = plt.subplots(1, 2, figsize=(style.PAGE, 2.7), width_ratios=(1.7, 1))
     colours = [plt.get_cmap("viridis")(0.75 * k / (len(group["necks"]) - 1)) for k in range(len(group["necks"]))]
     draw_passages(passages, group, colours)
     draw_means(means, group, colours)
-    return style.save(figure, folder, name)
+    return figure
 
 
-def make(statistics, folder):
-    paths = []
+def figures(statistics):
     for index, group in enumerate(statistics.groups):
         if group.get("necks"):
-            paths += draw(group, folder, f"necks{suffix(statistics, index)}")
-    return paths
+            yield f"necks{suffix(statistics, index)}", draw(group)

@@ -40,7 +40,7 @@ def draw_porosity(axes, runs):
     axes.set_ylim(low, high + 0.3 * (high - low))
 
 
-def draw(group, folder, name):
+def draw(group):
     runs = [run_file.read_series(entry["file"]) for entry in group["runs"]]
     runs = [run for run in runs if len(run["time"]) > 1]
     for run in runs:
@@ -64,11 +64,9 @@ def draw(group, folder, name):
     seeds = "1 seed" if len(runs) == 1 else f"{len(runs)} seeds"
     panels[0].set_title(f"{style.plain(group['label'])}   (thin: {seeds}, thick: mean)")
     figure.align_ylabels()
-    return style.save(figure, folder, name)
+    return figure
 
 
-def make(statistics, folder):
-    paths = []
+def figures(statistics):
     for index, group in enumerate(statistics.groups):
-        paths += draw(group, folder, f"series{suffix(statistics, index)}")
-    return paths
+        yield f"series{suffix(statistics, index)}", draw(group)

@@ -111,14 +111,14 @@ def frame(axes, group, snapshots):
     axes.set_aspect("equal")
 
 
-def draw(statistics, index, folder, name):
+def draw(statistics, index):
     group = statistics.groups[index]
     file, moments, titles = choose(statistics, index)
     if file is None:
         figure, axes = plt.subplots(figsize=(style.PAGE, 1.6))
         style.say(axes, "no snapshots in these runs (output.snapshot_interval)")
         axes.set_axis_off()
-        return style.save(figure, folder, name)
+        return figure
     snapshots = [run_file.read_snapshot(file, t) for t in moments]
     fastest = max([float(np.quantile(s.speed, 0.99)) for s in snapshots if len(s.speed)] + [1e-12])
     norm = Normalize(0, fastest * MM)
@@ -137,11 +137,9 @@ def draw(statistics, index, folder, name):
     bar = figure.colorbar(circles, ax=panels[:, 0], fraction=0.035, pad=0.02, aspect=40)
     bar.set_label("particle speed [mm/s]")
     bar.outline.set_linewidth(0.6)
-    return style.save(figure, folder, name)
+    return figure
 
 
-def make(statistics, folder):
-    paths = []
+def figures(statistics):
     for index in range(len(statistics.groups)):
-        paths += draw(statistics, index, folder, f"snapshots{suffix(statistics, index)}")
-    return paths
+        yield f"snapshots{suffix(statistics, index)}", draw(statistics, index)

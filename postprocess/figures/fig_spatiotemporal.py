@@ -62,7 +62,7 @@ def key(axes, released):
     axes.legend(handles, names, loc="lower right", bbox_to_anchor=(1.0, 1.0), borderaxespad=0.3, ncols=3)
 
 
-def make_sweep(statistics, folder):
+def draw_sweep(statistics):
     """The first seed of every ensemble, over the median of their lengths: small particles have longer runs in tau."""
     groups = statistics.groups
     figure, axes = plt.subplots(figsize=(style.PAGE, 0.24 * len(groups) + 0.75))
@@ -77,10 +77,10 @@ def make_sweep(statistics, folder):
     axes.tick_params(axis="y", length=0)
     axes.set_xlabel(r"time $t/\tau$ [1]")
     key(axes, released)
-    return style.save(figure, folder, "spatiotemporal_sweep")
+    return figure
 
 
-def make(statistics, folder):
+def draw(statistics):
     groups = statistics.groups
     rows = [min(len(group["runs"]), MOST_ROWS) for group in groups]
     height = sum(0.16 * n + 0.42 for n in rows) + 0.55
@@ -91,5 +91,10 @@ def make(statistics, folder):
         released |= draw_group(axes, group, style.plain(group["label"]))
     panels[-1, 0].set_xlabel(r"time $t/\tau$ [1]")
     key(panels[0, 0], released)
-    paths = make_sweep(statistics, folder) if len(groups) > 1 else []
-    return paths + style.save(figure, folder, "spatiotemporal")
+    return figure
+
+
+def figures(statistics):
+    if len(statistics.groups) > 1:
+        yield "spatiotemporal_sweep", draw_sweep(statistics)
+    yield "spatiotemporal", draw(statistics)

@@ -3,12 +3,13 @@
 import json
 import sys
 
+import matplotlib
 import matplotlib.pyplot as plt
 
 import style
 
 
-def draw(results, folder):
+def draw(results):
     measured = [s for s in results["settings"] if "error" in s]
     figure, axes = plt.subplots(figsize=(style.PAGE, 3.6))
     if not measured:
@@ -28,10 +29,12 @@ def draw(results, folder):
     axes.set_xlabel("particle-steps per simulated second")
     axes.set_ylabel("largest difference [%]")
     axes.set_title("marker: seen beyond its interval; line: what could hide; filled: front")
-    return style.save(figure, folder, "trade")
+    return figure
 
 
 if __name__ == "__main__":
+    matplotlib.use("Agg")
     with open(sys.argv[1], encoding="utf-8") as stream:
-        for path in draw(json.load(stream), sys.argv[2]):
-            print(f"wrote {path}")
+        figure = draw(json.load(stream))
+    for path in style.save(figure, sys.argv[2], "trade"):
+        print(f"wrote {path}")

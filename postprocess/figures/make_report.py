@@ -11,20 +11,22 @@ import fig_series
 import fig_snapshots
 import fig_spatiotemporal
 import html_page
+import matplotlib
+import style
 from stats_files import Statistics
 
 
 def main():
     if len(sys.argv) != 3:
         raise SystemExit("usage: make_report.py STATISTICS_FOLDER OUT_FOLDER")
+    matplotlib.use("Agg")  # a screen may be there, and windows are not wanted
     statistics = Statistics(sys.argv[1])
     folder = Path(sys.argv[2])
     folder.mkdir(parents=True, exist_ok=True)
     paths = []
-    first_bursts = [fig_first_burst] if fig_first_burst.exists(statistics) else []
-    necks = [fig_necks] if fig_necks.exists(statistics) else []
-    for figure in (fig_snapshots, fig_spatiotemporal, *necks, *first_bursts, fig_bursts, fig_lapses, fig_series):
-        paths += figure.make(statistics, folder)
+    for module in (fig_snapshots, fig_spatiotemporal, fig_necks, fig_first_burst, fig_bursts, fig_lapses, fig_series):
+        for name, figure in module.figures(statistics):
+            paths += style.save(figure, folder, name)
     paths.append(html_page.write(statistics, paths, folder))
     for path in paths:
         print(f"wrote {path}")

@@ -2,11 +2,8 @@
 
 from pathlib import Path
 
-import matplotlib
+import matplotlib.pyplot as plt
 import numpy as np
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402  (the backend must be chosen first)
 
 INK = "#1d2733"        # text and axes
 GREY = "#8a949e"       # guides and rivals
@@ -17,7 +14,7 @@ RELEASE = "#c8432b"    # friction off
 COLUMN = 3.4           # width of one column [inch]
 PAGE = 7.0             # width of both [inch]
 
-plt.rcParams.update({
+LOOK = {
     "figure.dpi": 100, "savefig.dpi": 220, "figure.constrained_layout.use": True,
     "font.family": "DejaVu Sans", "mathtext.fontset": "dejavusans", "font.size": 8.5,
     "axes.labelsize": 9, "axes.titlesize": 9, "axes.titlelocation": "left", "axes.titleweight": "bold",
@@ -26,7 +23,8 @@ plt.rcParams.update({
     "xtick.major.width": 0.7, "ytick.major.width": 0.7, "xtick.minor.width": 0.5, "ytick.minor.width": 0.5,
     "legend.frameon": False, "legend.fontsize": 7.5, "legend.handlelength": 1.6, "lines.linewidth": 1.3,
     "svg.fonttype": "none", "svg.hashsalt": "clogflow", "axes.axisbelow": True,
-})
+}
+plt.rcParams.update(LOOK)
 
 MARKERS = "osD^vP<>X"
 

@@ -1,10 +1,11 @@
 // Rows from the statistics; text is quoted, what is undefined stays empty.
 #include "postprocess/output/points_table.hpp"
 
-#include <cmath>
 #include <vector>
 
 #include <fmt/format.h>
+
+#include "postprocess/output/tables.hpp"
 
 namespace clogflow::postprocess {
 namespace {
@@ -12,8 +13,6 @@ namespace {
 using Row = std::vector<std::string>;
 
 std::string quoted(const std::string& text) { return fmt::format("\"{}\"", text); }
-
-std::string cell(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
 
 void add(Row& row, const Estimate& estimate) {
   for (const double value : {estimate.value, estimate.low, estimate.high}) row.push_back(cell(value));

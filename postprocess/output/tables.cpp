@@ -75,9 +75,6 @@ void add_survival(Out out, const RunGroup& group, std::size_t index, double shor
   }
 }
 
-/// A number, or nothing where it is not known.
-std::string cell(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
-
 void add_first_bursts(Out out, const RunGroup& group, std::size_t index) {
   for (const SeedRecord& record : group.records) {
     const FirstBurst& burst = record.first_burst;
@@ -106,6 +103,8 @@ Table table(const char* file, const char* header, const std::vector<RunGroup>& g
 }
 
 }  // namespace
+
+std::string cell(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
 
 std::vector<Table> tables_of(const std::vector<RunGroup>& groups) {
   constexpr const char* survival = "group,T [s],T/tau [1],S [1],error [1],at_risk,ended";

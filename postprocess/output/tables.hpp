@@ -14,6 +14,9 @@ struct Table {
   std::string text;
 };
 
+/// A number, or nothing where it is not known.
+std::string cell(double value);
+
 /// lapses, bursts, arrests, burst_distribution, lapse_distribution, lapse_survival,
 /// arrest_survival, first_bursts, first_burst_survival, first_burst_hazard.
 std::vector<Table> tables_of(const std::vector<RunGroup>& groups);

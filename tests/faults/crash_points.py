@@ -60,7 +60,7 @@ def content(file):
     """What of a file is a result; None of one that cannot be read."""
     if file.name == "ensemble.csv":
         return run_together(file)
-    if file.suffix != ".h5":
+    if file.suffix not in (".h5", ".hdf"):
         return file.read_bytes()
     try:
         return h5_content(file)

@@ -57,6 +57,7 @@ VERBS = {
     "map": Verb(["map", "case", "--out", "out.h5"], "out.h5", older_flow),
     "run": Verb(["run", "scene.toml", "--flow", "flow.h5", "--out", "out"], "out", places=30, full=12),
     "stats": Verb(["stats", "runs", "--out", "out", "--p-value", "0"], "out", older_statistics),
+    "export": Verb(["export", "runs/run_0003.h5", "--flow", "flow.h5", "--out", "out"], "out", older_text("out/run_0003.xyz")),
     "trade": Verb(["trade", "--combine", "trade.json", "--out", "out.json"], "out.json", older_text("out.json")),
     "report": Verb(["report", "stats", "--out", "out"], "out", older_text("out/report.html"),
                    environment={"CLOG_PYTHON": "figures/python", "CLOG_FIGURES": "figures"}),

@@ -37,7 +37,7 @@ add_dependencies(test_odd_systems clog odd_system)
 if(NOT CLOG_SANITIZE)
   add_library(crash_shim MODULE faults/crash_shim.c)
   target_compile_options(crash_shim PRIVATE -Wall -Wextra)
-  foreach(verb walls case map run stats report trade)
+  foreach(verb walls case map run stats report export trade)
     add_test(NAME crash_points.${verb} COMMAND /usr/bin/python3 -B ${CMAKE_CURRENT_SOURCE_DIR}/faults/crash_points.py
              $<TARGET_FILE:clog> $<TARGET_FILE:crash_shim> ${verb})
     set_tests_properties(crash_points.${verb} PROPERTIES LABELS faults TIMEOUT ${test_time_limit})

@@ -14,6 +14,7 @@ import fig_bursts  # from postprocess/figures, which campaign.py put on the path
 import fig_lapses
 import fig_spatiotemporal
 import fig_trend
+import matplotlib
 import matplotlib.pyplot as plt
 import style
 from stats_files import Statistics
@@ -22,11 +23,11 @@ HERE = Path(__file__).resolve().parent
 REPORTS = HERE.parents[1] / "reports"
 
 
-def keep_png(make, statistics, name, target):
-    """Draws with one of the report's functions and keeps the PNG it wrote as `target`, small enough for a repository."""
+def keep_png(figure, target):
+    """Keeps one of the report's figures as the PNG `target`, small enough for a repository."""
     with plt.rc_context({"savefig.dpi": 110}), tempfile.TemporaryDirectory() as folder:
-        make(statistics, folder)
-        (REPORTS / "results" / target).write_bytes((Path(folder) / name).read_bytes())
+        style.save(figure, folder, "figure")
+        (REPORTS / "results" / target).write_bytes((Path(folder) / "figure.png").read_bytes())
 
 
 def summary(campaign):
@@ -97,16 +98,16 @@ def rivals(fit):
     return "\n\n" + table(head, [[r["x"], estimate(r["b"]), number(r["chi_squared"]), number(r["extra_scatter"], 2)] for r in fit["rivals"]])
 
 
-def draw_sweep(statistics, folder):
+def draw_sweep(statistics):
     figure, axes = plt.subplots(figsize=(style.COLUMN + 0.4, 2.9))
     fig_trend.draw_mean_burst(axes, statistics)
-    return style.save(figure, folder, "sweep")
+    return figure
 
 
 def other_sweep(sweep):
     """A sweep of another key: table, figure and law."""
     name = f"{sweep.key.replace('.', '_')}.png"
-    keep_png(draw_sweep, sweep.statistics, "sweep.png", name)
+    keep_png(draw_sweep(sweep.statistics), name)
     rows = [[value, len(group["runs"]), f"{point['mean_burst']['stops']} / {point['mean_burst']['passages']}", estimate(point["mean_burst"]),
              estimate(group["quantities"]["flow_rate_flowing"]), f"{100 * group['quantities']['share_censored']['value']:.0f} %"]
             for value, point, group in zip(sweep.values(), sweep.points, sweep.groups)]
@@ -163,12 +164,12 @@ def shown(page):
 
 
 def main():
+    matplotlib.use("Agg")  # no windows
     work, count = Path(sys.argv[1]), int(sys.argv[2])
     campaign = Campaign(work / "0", [work / str(k) for k in range(1, count)])
-    figures = ((fig_spatiotemporal.make_sweep, "spatiotemporal_sweep.png", "figure3.png"), (fig_bursts.make, "bursts.png", "figure4.png"),
-               (fig_lapses.make, "lapses.png", "figure5.png"))
-    for make, name, target in figures:
-        keep_png(make, campaign.statistics, name, target)
+    for module, name, target in ((fig_spatiotemporal, "spatiotemporal_sweep", "figure3.png"), (fig_bursts, "bursts", "figure4.png"),
+                                 (fig_lapses, "lapses", "figure5.png")):
+        keep_png(dict(module.figures(campaign.statistics))[name], target)
     fit = campaign.fit["mean_burst"]
     head = ["claim", "ours (D/d: value)", "agrees?"]
     page = Template((HERE / "template.md.in").read_text(encoding="utf-8")).substitute(
