@@ -54,8 +54,7 @@ public:
   explicit Gatherer(std::optional<double> threshold) : threshold_(threshold) {}
 
   void add(const fs::path& file) {
-    RunData run = read_run_file(file);
-    run.snapshots.clear();
+    const RunData run = read_run_events(file);
     const SceneLines lines = scene_lines(run.scene_text);
     const auto known = folders_.try_emplace(fs::canonical(fs::absolute(file).parent_path()), Known{lines, file});
     require_same_scene(lines, file, known.first->second);
