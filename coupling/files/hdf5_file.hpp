@@ -68,6 +68,9 @@ public:
   void attribute(const std::string& object, const std::string& name, const std::vector<T>& values);
   void attribute(const std::string& object, const std::string& name, const std::string& text);
   void group(const std::string& path);
+  /// All that another HDF5 file holds, attributes of its root included, as a group of this name; packed pieces are
+  /// copied as they are.
+  void copy_root(const std::filesystem::path& from, const std::string& group);
 
   /// Flushes to the disk, then gives it its name.
   void finish();
@@ -97,6 +100,9 @@ public:
   std::string read_text(const std::string& dataset) const;
   std::string text_attribute(const std::string& object, const std::string& name) const;
   std::vector<double> number_attribute(const std::string& object, const std::string& name) const;
+
+  /// For coupling/files alone.
+  const Hdf5Handle& root() const { return handle_; }
 
   /// For checks of the caller: throws Error("<file>: <message>") unless the condition holds.
   void check(bool condition, const std::string& message) const;
