@@ -16,6 +16,7 @@
 #include "coupling/files/hdf5_file.hpp"
 #include "coupling/files/record_json.hpp"
 #include "coupling/files/run_file.hpp"
+#include "coupling/files/run_pack.hpp"
 #include "coupling/scene/readable_scene.hpp"
 #include "coupling/scene/scene.hpp"
 
@@ -92,6 +93,14 @@ void print_run(const RunData& run, const std::string& name) {
   print_scene(run.scene_text);
 }
 
+void print_pack(const std::filesystem::path& pack) {
+  const std::vector<std::filesystem::path> runs = runs_in_pack(pack);
+  fmt::print("{}: a pack of {} run file{}, {} to {}\n", pack.string(), runs.size(), runs.size() == 1 ? "" : "s",
+             shown_text(runs.front().filename().string()), shown_text(runs.back().filename().string()));
+  fmt::print("clog stats takes it as a folder; of one run: clog info {}\nthe first was ", runs.front().string());
+  print_scene(read_run_head(runs.front()).scene_text);
+}
+
 void print_scene_file(const InfoOptions& options) {
   const Scene scene = read_scene(options.file, options.overrides);
   const bool solved = scene.flow.source == FlowSource::openfoam;
@@ -121,15 +130,16 @@ void print_info(const InfoOptions& options) {
   const std::string name = options.file.string();
   if (format.name == "clogflow flow") return print_flow(read_flow_grid(options.file), name);
   if (format.name == "clogflow run") return print_run(read_run_file(options.file), name);
+  if (format.name == pack_format.name) return print_pack(options.file);
   fmt::print("{}: a \"{}\" file, version {}\n", name, shown_text(format.name), format.version);
 }
 
 }  // namespace
 
 void add_info(CLI::App& app) {
-  auto* verb = app.add_subcommand("info", "what a flow file, a run file or a scene holds, in words");
+  auto* verb = app.add_subcommand("info", "what a flow file, a run file, a pack or a scene holds, in words");
   auto options = std::make_shared<InfoOptions>();
-  verb->add_option("file", options->file, "FILE.h5, or a scene")->required();
+  verb->add_option("file", options->file, "FILE.h5, PACK.h5/run_0001.h5, or a scene")->required();
   verb->add_option("--set", options->overrides, "key=value: overrides the scene")->allow_extra_args(false);
   verb->add_flag("--effective", options->effective, "of a scene: only the complete scene, as TOML");
   verb->add_option("--out", options->out, "with --effective: the file to write it to");

@@ -47,6 +47,7 @@ int main(int argc, char** argv) {
   clogflow::cli::add_stats(app);
   clogflow::cli::add_report(app);
   clogflow::cli::add_trade(app);
+  clogflow::cli::add_pack(app);
   clogflow::cli::add_info(app);
   clogflow::cli::add_export(app);
   try {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "cli/verbs.hpp"
+#include "coupling/base/in_processes.hpp"
 #include "coupling/base/require.hpp"
 #include "coupling/files/flow_grid.hpp"
 #include "coupling/flow/flow_reach.hpp"
@@ -56,6 +57,30 @@ void print_flow(const Scene& scene, const Plan& plan, const std::filesystem::pat
              100 * plan.scaling_error, known ? "" : ", extrapolated: such a flow is not scaled");
 }
 
+std::string in_words(double seconds) {
+  if (seconds < 120) return fmt::format("{:.2g} s", seconds);
+  if (seconds < 7200) return fmt::format("{:.0f} min", seconds / 60);
+  return fmt::format("{:.1f} h", seconds / 3600);
+}
+
+void print_burst(const Scene& scene, const Plan& plan, double speed) {
+  if (!scene.inlet.enabled) return;
+  const ExpectedBurst& burst = plan.burst;
+  if (!burst.unknown.empty()) return fmt::print("cost of a burst: not known ({})\n", burst.unknown);
+  const double each = plan.burst_instructions / speed;
+  fmt::print(
+      "one burst: <s> about {:.3g}, {:.3g} s simulated ({:.2g} without friction, {:.2g} until the clog, {:.2g} until "
+      "it "
+      "is proved), {:.2g} particle-steps, {:.2g} s on one core (docs/reports/friction.md)\n",
+      burst.mean, burst.simulated(), burst.start, burst.flow, burst.proof, plan.burst_steps, each);
+  const auto cores = static_cast<double>(usable_cores());
+  for (const double share : {0.2, 0.1, 0.05}) {
+    const double bursts = bursts_for(burst.spread, share);
+    fmt::print("  <s> within {:.0f} %: {:.0f} bursts{}, {} on {:.0f} cores\n", 100 * share, bursts,
+               burst.spread_seen ? "" : " at most", in_words(bursts * each / cores), cores);
+  }
+}
+
 void print_plan(const PlanOptions& options) {
   const auto [scene, fidelity] = trade::read_resolved_scene(options.scene, options.overrides);
   const Plan plan = make_plan(scene);
@@ -82,6 +107,7 @@ void print_plan(const PlanOptions& options) {
       "one core of this machine ({:.2g} particle-steps/s, tried out now)\n",
       plan.particles, plan.steps, plan.filling_steps, 1e-6 * plan.memory, plan.seconds(speed),
       (plan.steps + plan.filling_steps) * plan.particles / plan.seconds(speed));
+  print_burst(scene, plan, speed);
   for (const std::string& line : warnings(plan)) fmt::print("warning: {}\n", line);
 }
 

@@ -19,6 +19,7 @@ void add_stats(CLI::App& app);
 void add_fit(CLI::App& app);
 void add_report(CLI::App& app);
 void add_trade(CLI::App& app);
+void add_pack(CLI::App& app);
 void add_info(CLI::App& app);
 void add_export(CLI::App& app);
 

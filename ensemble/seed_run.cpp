@@ -169,6 +169,9 @@ std::string inputs_hash(const Ensemble& ensemble) {
 
 void make_directory(const std::filesystem::path& directory) {
   std::error_code error;
+  require(!std::filesystem::is_regular_file(directory, error),
+          "{}: is a file: runs go into a folder, and none is added to a pack (clog pack): give another --out",
+          directory.string());
   std::filesystem::create_directories(directory, error);
   require(!error, "{}: cannot be made ({}): give another --out", directory.string(), error.message());
 }

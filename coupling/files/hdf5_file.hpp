@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -67,6 +68,9 @@ public:
   void attribute(const std::string& object, const std::string& name, const std::vector<T>& values);
   void attribute(const std::string& object, const std::string& name, const std::string& text);
   void group(const std::string& path);
+  /// All that another HDF5 file holds, attributes of its root included, as a group of this name; packed pieces are
+  /// copied as they are.
+  void copy_root(const std::filesystem::path& from, const std::string& group);
 
   /// Flushes to the disk, then gives it its name.
   void finish();
@@ -83,6 +87,7 @@ struct Hdf5Array {
   std::vector<std::size_t> shape;  ///< slowest index first
 };
 
+/// A pack (files/run_pack.hpp) is read as if it were a folder: "pack.h5/run_0007.h5" is the file run_0007.h5 in it.
 /// Every member throws Error naming the file, the dataset and what is wrong with it.
 class Hdf5Reader {
 public:
@@ -96,20 +101,27 @@ public:
   std::string text_attribute(const std::string& object, const std::string& name) const;
   std::vector<double> number_attribute(const std::string& object, const std::string& name) const;
 
+  /// For coupling/files alone.
+  const Hdf5Handle& root() const { return handle_; }
+
   /// For checks of the caller: throws Error("<file>: <message>") unless the condition holds.
   void check(bool condition, const std::string& message) const;
 
 private:
+  const Hdf5Handle* open_group(const std::string& path) const;
+  const Hdf5Handle* holder_of(const std::string& path) const;
+  Hdf5Handle open_object(const std::string& object) const;
   Hdf5Handle open_dataset(const std::string& dataset) const;
   void spend(double bytes) const;
 
   std::filesystem::path file_;
-  Hdf5Handle handle_;
-  double size_;                  ///< of the file [byte]
-  mutable double unpacked_ = 0;  ///< by all reads so far [byte]
+  Hdf5Handle handle_;                                 ///< the root, of the file or of one run in a pack
+  mutable std::map<std::string, Hdf5Handle> groups_;  ///< opened so far: many datasets lie in one
+  double size_;                                       ///< of the file [byte]
+  mutable double unpacked_ = 0;                       ///< by all reads so far [byte]
 };
 
-/// Format name and version of any file that Hdf5Writer wrote.
+/// Format name and version of any file that Hdf5Writer wrote, or of one in a pack.
 /// \throws Error if it is no HDF5 file, truncated, or not one of ours
 FileFormat file_format(const std::filesystem::path& file);
 

@@ -38,16 +38,11 @@ double chunk_bytes(hid_t list, hid_t dataset) {
 
 }  // namespace
 
-bool object_exists(std::int64_t file, const std::string& path) {
-  if (path == "/") return true;
-  for (std::size_t at = path.find('/', 1);; at = path.find('/', at + 1)) {
-    const std::string here = path.substr(0, at);
-    H5L_info_t link{};
-    if (H5Lexists(file, here.c_str(), H5P_DEFAULT) <= 0) return false;
-    require(H5Lget_info(file, here.c_str(), &link, H5P_DEFAULT) >= 0 && link.type == H5L_TYPE_HARD,
-            "{} (a link to another place or file: links are not followed)", here);
-    if (at == std::string::npos) return H5Oexists_by_name(file, path.c_str(), H5P_DEFAULT) > 0;
-  }
+bool has_plain_link(std::int64_t group, const std::string& name, const std::string& path) {
+  H5L_info_t link{};
+  if (H5Lget_info(group, name.c_str(), &link, H5P_DEFAULT) < 0) return false;
+  require(link.type == H5L_TYPE_HARD, "{} (a link to another place or file: links are not followed)", path);
+  return true;
 }
 
 std::string storage_fault(std::int64_t dataset) {

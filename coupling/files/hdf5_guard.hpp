@@ -8,10 +8,9 @@
 
 namespace clogflow {
 
-/// Every link on the way to an object is followed by itself, for asking for "/a/b" fails hard where
-/// "/a" is missing. \return whether there is an object of that path \throws Error("<path> (...)")
-/// for a link that is no plain one
-bool object_exists(std::int64_t file, const std::string& path);
+/// Whether a group holds a link of that name. \return false where there is none
+/// \throws Error("<path> (...)") for a link that is no plain one
+bool has_plain_link(std::int64_t group, const std::string& name, const std::string& path);
 
 /// What forbids reading a dataset, or an empty text: another file's bytes, filters that we do not
 /// write, pieces out of proportion. Asked before its extent, for which the library opens the

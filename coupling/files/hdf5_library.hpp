@@ -27,6 +27,7 @@ Hdf5Handle hdf5_handle(hid_t id) {
 }
 
 inline Hdf5Handle file_handle(hid_t id) { return hdf5_handle<H5Fclose>(id); }
+inline Hdf5Handle group_handle(hid_t id) { return hdf5_handle<H5Gclose>(id); }
 inline Hdf5Handle dataset_handle(hid_t id) { return hdf5_handle<H5Dclose>(id); }
 inline Hdf5Handle object_handle(hid_t id) { return hdf5_handle<H5Oclose>(id); }
 inline Hdf5Handle space_handle(hid_t id) { return hdf5_handle<H5Sclose>(id); }

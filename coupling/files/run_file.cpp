@@ -41,6 +41,11 @@ void for_each_column(Run& run, const Visit& visit) {
   visit("/series", "speed_q99", run.series.speed_q99, "m/s");
 }
 
+// Whether a column tells of events or of the filling, which is all that statistics need.
+bool is_of_events(std::string_view group, std::string_view column) {
+  return group != "/series" || column == "time" || column == "count" || column == "packing_fraction";
+}
+
 // Of a flow that is not steady; left out of the file where they are empty.
 template <class Run, class Visit>
 void for_each_drive_column(Run& run, const Visit& visit) {
@@ -97,11 +102,16 @@ bool cut_rows(RunData& run, const RunRows& rows) {
   return true;
 }
 
-std::string fault(const RunData& run) {
+namespace {
+
+enum class Part { all, events };
+
+std::string fault_in(const RunData& run, Part part) {
   std::string wrong;
   std::string_view table;
   std::size_t rows = 0;
   for_each_column(run, [&](std::string_view group, const char* column, const auto& values, const char*) {
+    if (part == Part::events && !is_of_events(group, column)) return;
     if (group != table) rows = values.size();
     table = group;
     if (wrong.empty() && values.size() != rows)
@@ -150,6 +160,10 @@ std::string fault(const RunData& run) {
   return {};
 }
 
+}  // namespace
+
+std::string fault(const RunData& run) { return fault_in(run, Part::all); }
+
 namespace {
 
 void write_porosity(Hdf5Writer& out, const std::vector<std::vector<double>>& rows) {
@@ -158,13 +172,12 @@ void write_porosity(Hdf5Writer& out, const std::vector<std::vector<double>>& row
   out.write("/series/porosity", values, {.unit = "1", .shape = {rows.size(), rows.empty() ? 0 : rows[0].size()}});
 }
 
-std::vector<std::vector<double>> read_porosity(const Hdf5Reader& in) {
+std::vector<std::vector<double>> read_porosity(const Hdf5Reader& in, std::size_t samples) {
   const Hdf5Array<double> array = in.read<double>("/series/porosity", "1");
   in.check(array.shape.size() == 2, "/series/porosity is not [samples][strips]");
   const std::size_t strips = array.shape[1];
   // Without strips no numbers are stored, so the number of rows is all that bounds what follows.
-  in.check(array.shape[0] <= in.read<double>("/series/time", "s").values.size(),
-           "/series/porosity has more rows than /series/time");
+  in.check(array.shape[0] <= samples, "/series/porosity has more rows than /series/time");
   std::vector<std::vector<double>> rows(array.shape[0]);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto first = array.values.begin() + static_cast<std::ptrdiff_t>(i * strips);
@@ -293,12 +306,11 @@ void read_head(const Hdf5Reader& in, RunData& run) {
   run.record = read_record<RunRecord>(in);
 }
 
-}  // namespace
-
-RunData read_run_file(const std::filesystem::path& file) {
+RunData read_part(const std::filesystem::path& file, Part part) {
   const Hdf5Reader in(file, run_format);
   RunData run;
   for_each_column(run, [&](const std::string& group, const char* column, auto& values, const char* unit) {
+    if (part == Part::events && !is_of_events(group, column)) return;
     using Value = typename std::remove_cvref_t<decltype(values)>::value_type;
     auto array = in.read<Value>(group + "/" + column, unit);
     in.check(array.shape.size() == 1, group + "/" + column + " is not a column");
@@ -309,13 +321,15 @@ RunData read_run_file(const std::filesystem::path& file) {
     using Value = typename std::remove_cvref_t<decltype(values)>::value_type;
     if (in.has(column)) values = in.read<Value>(column, unit).values;
   });
-  run.series.porosity = read_porosity(in);
-  for_each_drive_column(run, [&](const std::string& column, std::vector<double>& values, const char* unit) {
-    if (in.has("/series/" + column)) values = in.read<double>("/series/" + column, unit).values;
-  });
-  run.snapshots = read_snapshots(in);
+  run.series.porosity = read_porosity(in, run.series.time.size());
+  if (part == Part::all) {
+    for_each_drive_column(run, [&](const std::string& column, std::vector<double>& values, const char* unit) {
+      if (in.has("/series/" + column)) values = in.read<double>("/series/" + column, unit).values;
+    });
+    run.snapshots = read_snapshots(in);
+  }
   read_head(in, run);
-  const std::string wrong = fault(run);
+  const std::string wrong = fault_in(run, part);
   in.check(wrong.empty(), wrong);
   for (const auto* times : {&run.passages.time, &run.series.time, &run.releases.off})
     in.check(
@@ -323,6 +337,12 @@ RunData read_run_file(const std::filesystem::path& file) {
         fmt::format("a time of {} s is beyond /end_time = {} s", times->empty() ? 0 : times->back(), run.end_time));
   return run;
 }
+
+}  // namespace
+
+RunData read_run_file(const std::filesystem::path& file) { return read_part(file, Part::all); }
+
+RunData read_run_events(const std::filesystem::path& file) { return read_part(file, Part::events); }
 
 RunData read_run_head(const std::filesystem::path& file) {
   RunData run;

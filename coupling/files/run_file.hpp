@@ -113,6 +113,10 @@ void write_run_file(const RunData& run, const std::filesystem::path& file);
 /// \throws Error on an unknown version, missing table or unit, unequal columns, or a truncated file
 RunData read_run_file(const std::filesystem::path& file);
 
+/// What statistics need: no snapshots, and of the series time, count, packing fraction and porosity alone.
+/// \throws Error likewise, of what it reads
+RunData read_run_events(const std::filesystem::path& file);
+
 /// Only seed, scene, record and end_time. \throws Error likewise
 RunData read_run_head(const std::filesystem::path& file);
 

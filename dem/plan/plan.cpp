@@ -231,15 +231,6 @@ void find_limits(const Scene& s, const Model& model, Plan& plan) {
                      (model.factors.fastest * neck_mean_velocity(s.geometry, s.flow.mean_velocity) / pack_porosity);
 }
 
-/// What a flowing start takes to pass its strain, as seen: solids move through the channel at a packing fraction of
-/// 0.33, with the fluid between them. [s]
-double flowing_time(const Scene& s) {
-  constexpr double packing = 0.33;
-  const double carried = packing * s.flow_speed() / (s.drag.velocity == DragVelocity::mixture ? 1 : 1 - packing);
-  const Geometry& g = s.geometry;
-  return s.inlet.strain * g.neck_width * neck_section(g) / channel_flow_rate(g, carried);
-}
-
 void estimate_cost(const Scene& s, const Model& model, Plan& plan) {
   plan.steps = static_cast<double>(model.steps);
   plan.particles = static_cast<double>(read_initial_particles(s).size());
@@ -249,7 +240,8 @@ void estimate_cost(const Scene& s, const Model& model, Plan& plan) {
         (1 - pack_porosity) * channel_volume(s.geometry, start, 0) / ParticleSizes(s.particles).mean_volume();
     if (s.inlet.start != InletStart::empty)
       plan.filling_steps = filling_share * s.geometry.channel_length / s.flow_speed() / model.dt;
-    if (s.inlet.start == InletStart::flowing) plan.filling_steps = flowing_time(s) / model.dt;
+    if (s.inlet.start == InletStart::flowing)
+      plan.filling_steps = frictionless_time(s, s.inlet.strain, packing_of_start) / model.dt;
   }
   plan.memory = bytes_per_particle * plan.particles;
   const double diameters = s.flow.mean_velocity * model.dt / s.particles.diameter;
@@ -260,6 +252,14 @@ void estimate_cost(const Scene& s, const Model& model, Plan& plan) {
       if (term.term == cost.term) term.share = cost.instructions / each;
 }
 
+void estimate_burst(const Scene& s, Plan& plan) {
+  plan.burst = expected_burst(s);
+  if (!plan.burst.unknown.empty()) return;
+  plan.burst_steps = plan.burst.simulated() / plan.dt * plan.particles;
+  plan.burst_instructions =
+      plan.burst_steps * instructions_per_particle_step(s, s.flow.mean_velocity * plan.dt / s.particles.diameter);
+}
+
 void judge_flow(const Scene& s, Plan& plan) {
   if (s.flow.source != FlowSource::openfoam) return;
   plan.grid_reach = expected_reach(s, reach_tolerance);
@@ -267,6 +267,12 @@ void judge_flow(const Scene& s, Plan& plan) {
 }
 
 }  // namespace
+
+double frictionless_time(const Scene& s, double strain, double packing) {
+  const double carried = packing * s.flow_speed() / (s.drag.velocity == DragVelocity::mixture ? 1 : 1 - packing);
+  const Geometry& g = s.geometry;
+  return strain * g.neck_width * neck_section(g) / channel_flow_rate(g, carried);
+}
 
 Plan make_plan(const Scene& scene) {
   const Model model = make_model(scene, nullptr, read_initial_particles(scene));
@@ -282,6 +288,7 @@ Plan make_plan(const Scene& scene) {
   judge_drive(scene, model, plan);
   find_limits(scene, model, plan);
   estimate_cost(scene, model, plan);
+  estimate_burst(scene, plan);
   judge_flow(scene, plan);
   if (scene.geometry.present) {
     plan.layers_note = layers_warning(scene.geometry.neck_height, scene, "geometry.neck_height");

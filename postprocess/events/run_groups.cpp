@@ -4,9 +4,13 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <unordered_map>
 
+#include "coupling/base/archive.hpp"
+#include "coupling/base/in_processes.hpp"
 #include "coupling/base/require.hpp"
-#include "coupling/files/run_file.hpp"
+#include "coupling/files/run_pack.hpp"
+#include "postprocess/events/run_digest.hpp"
 
 namespace clogflow::postprocess {
 namespace {
@@ -42,32 +46,33 @@ void require_same_scene(const SceneLines& lines, const fs::path& file, const Kno
                   file.string(), known.file.filename().string(), keys.front(), value(lines), value(known.lines)));
 }
 
-void require_new_seed(const RunGroup& group, const RunData& run, const fs::path& file) {
-  for (const SeedRecord& record : group.records) {
-    require(record.seed != run.seed, "{}: seed {} of this scene was already read from {}", file.string(), run.seed,
-            record.file.string());
-  }
-}
-
+/// Takes the digests of run files in the order of the files.
 class Gatherer {
 public:
-  explicit Gatherer(std::optional<double> threshold) : threshold_(threshold) {}
+  Gatherer(std::optional<double> threshold, std::size_t readers) : threshold_(threshold), kinds_(readers) {}
 
-  void add(const fs::path& file) {
-    RunData run = read_run_file(file);
-    run.snapshots.clear();
-    const SceneLines lines = scene_lines(run.scene_text);
-    const auto known = folders_.try_emplace(fs::canonical(fs::absolute(file).parent_path()), Known{lines, file});
-    require_same_scene(lines, file, known.first->second);
-    RunGroup& group = group_of(run, lines, file);
-    require_new_seed(group, run, file);
-    group.records.push_back(record_of(run, group.scene, group.scale));
-    group.records.back().file = file;
-    require(run.record.necks.value_or(1) == std::max<std::int64_t>(1, std::ssize(group.necks)),
+  /// \param reader  who made it: its kinds are numbered for itself
+  void add(const fs::path& file, std::size_t reader, RunDigest digest) {
+    std::vector<RunKind>& kinds = kinds_[reader];
+    if (digest.kind_is_new) kinds.push_back(std::move(digest.new_kind));
+    require(digest.kind_known, "{}", digest.error);
+    const RunKind& kind = kinds.at(digest.kind);
+    const auto known = folders_.try_emplace(folder_of(file), Known{kind.lines, file});
+    require_same_scene(kind.lines, file, known.first->second);
+    const std::size_t index = group_of(kind, digest.necks, file);
+    require(digest.error.empty(), "{}", digest.error);
+    RunGroup& group = groups_[index];
+    const auto [earlier, is_new] = seeds_[index].emplace(digest.record.seed, file);
+    require(is_new, "{}: seed {} of this scene was already read from {}", file.string(), digest.record.seed,
+            earlier->second.string());
+    const std::int64_t necks = std::max<std::int64_t>(1, std::ssize(group.necks));
+    require(digest.necks == necks,
             "{}: counted at {} necks, the runs before it at {}: made by different programs, so they do not mix",
-            file.string(), run.record.necks.value_or(1), std::max<std::int64_t>(1, std::ssize(group.necks)));
+            file.string(), digest.necks, necks);
+    group.records.push_back(std::move(digest.record));
+    group.records.back().file = file;
     for (std::size_t k = 0; k < group.necks.size(); ++k) {
-      group.necks[k].push_back(record_of(through_neck(run, static_cast<std::int64_t>(k)), group.scene, group.scale));
+      group.necks[k].push_back(std::move(digest.of_necks[k]));
       group.necks[k].back().file = file;
     }
   }
@@ -75,29 +80,65 @@ public:
   std::vector<RunGroup> result() && { return std::move(groups_); }
 
 private:
-  RunGroup& group_of(const RunData& run, const SceneLines& lines, const fs::path& file) {
-    const auto found =
-        std::find_if(groups_.begin(), groups_.end(), [&](const RunGroup& group) { return group.lines == lines; });
-    if (found != groups_.end()) return *found;
-    RunGroup& group = groups_.emplace_back();
-    group.scene = parse_scene(run.scene_text, file.string());
-    group.scene_text = run.scene_text;
-    group.lines = lines;
+  const fs::path& folder_of(const fs::path& file) {
+    const fs::path parent = file.parent_path();
+    if (last_parent_ != parent || last_folder_.empty()) {
+      last_parent_ = parent;
+      last_folder_ = fs::canonical(fs::absolute(file).parent_path());
+    }
+    return last_folder_;
+  }
+
+  std::size_t group_of(const RunKind& kind, std::int64_t necks, const fs::path& file) {
+    const auto found = std::ranges::find(groups_, kind.lines, &RunGroup::lines);
+    if (found != groups_.end()) return static_cast<std::size_t>(found - groups_.begin());
+    RunGroup group;
+    group.scene = parse_scene(kind.scene_text, file.string());
+    group.scene_text = kind.scene_text;
+    group.lines = kind.lines;
     group.scale = clog_scale(group.scene, threshold_, file.string());
-    group.record = run.record;
-    if (run.record.necks.value_or(1) > 1) group.necks.resize(static_cast<std::size_t>(*run.record.necks));
-    return group;
+    group.record = run_record_of(kind.record);
+    if (necks > 1) group.necks.resize(static_cast<std::size_t>(necks));
+    groups_.push_back(std::move(group));
+    seeds_.emplace_back();
+    return groups_.size() - 1;
   }
 
   std::optional<double> threshold_;
+  std::vector<std::vector<RunKind>> kinds_;  ///< of each reader
   std::vector<RunGroup> groups_;
+  std::vector<std::unordered_map<std::uint64_t, fs::path>> seeds_;  ///< of each group, and where each was read
   std::map<fs::path, Known> folders_;
+  fs::path last_parent_, last_folder_;
 };
+
+/// So few files are read before further processes have begun.
+constexpr std::size_t files_for_processes = 32;
+
+void read_all(const std::vector<fs::path>& files, std::size_t readers, std::optional<double> threshold,
+              Gatherer& gatherer) {
+  DigestMaker maker(threshold);
+  in_processes(
+      files.size(), readers,
+      [&](std::size_t i) {
+        RunDigest digest = maker.digest_of(files[i]);
+        ArchiveWriter archive;
+        archive(digest);
+        return archive.bytes();
+      },
+      [&](std::size_t i, std::string bytes) {
+        RunDigest digest;
+        ArchiveReader archive(std::move(bytes));
+        archive(digest);
+        gatherer.add(files[i], i % readers, std::move(digest));
+      });
+}
 
 }  // namespace
 
 std::vector<fs::path> find_run_files(const fs::path& folder) {
-  require(fs::is_directory(folder), "{}: no such folder", folder.string());
+  if (fs::is_regular_file(folder)) return runs_in_pack(folder);
+  require(fs::is_directory(folder), "{}: no such folder, and no pack of runs", folder.string());
   std::vector<fs::path> files = run_files_right_in(folder);
   if (files.empty()) {
     for (const auto& entry : fs::directory_iterator(folder)) {
@@ -113,6 +154,7 @@ std::vector<fs::path> find_run_files(const fs::path& folder) {
 
 std::vector<std::string> points_without_runs(const fs::path& folder) {
   std::vector<std::string> points;
+  if (!fs::is_directory(folder)) return points;
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
     if (entry.is_directory() && name.find('=') != std::string::npos && run_files_right_in(entry.path()).empty())
@@ -122,14 +164,17 @@ std::vector<std::string> points_without_runs(const fs::path& folder) {
   return points;
 }
 
-std::vector<RunGroup> gather(const std::vector<fs::path>& folders, std::optional<double> threshold) {
-  Gatherer gatherer(threshold);
+std::vector<RunGroup> gather(const std::vector<fs::path>& folders, std::optional<double> threshold,
+                             std::size_t most_readers) {
+  std::vector<fs::path> files;
   std::set<fs::path> seen;
   for (const auto& folder : folders) {
-    for (const auto& file : find_run_files(folder)) {
-      if (seen.insert(fs::weakly_canonical(file)).second) gatherer.add(file);
-    }
+    for (auto& file : find_run_files(folder))
+      if (seen.insert(fs::weakly_canonical(file)).second) files.push_back(std::move(file));
   }
+  const std::size_t readers = files.size() < files_for_processes ? 1 : most_readers > 0 ? most_readers : usable_cores();
+  Gatherer gatherer(threshold, readers);
+  read_all(files, readers, threshold, gatherer);
   auto groups = std::move(gatherer).result();
   for (auto& group : groups) {
     const auto sort = [](std::vector<SeedRecord>& records) {

@@ -23,7 +23,7 @@ struct RunGroup {
   RunRecord record;  ///< of its first run
 };
 
-/// run_*.h5 in a folder, or, if it has none, in the folders right below it; in order of name.
+/// run_*.h5 in a folder, or, if it has none, in the folders right below it, or the runs in a pack; in order of name.
 /// \throws Error when there is none
 std::vector<std::filesystem::path> find_run_files(const std::filesystem::path& folder);
 
@@ -35,7 +35,9 @@ std::vector<std::string> points_without_runs(const std::filesystem::path& folder
 /// \throws Error on a run file that is missing or damaged, two scenes in one folder, one seed
 /// twice, or
 ///         a scene without a Stokes time when no threshold is given
-std::vector<RunGroup> gather(const std::vector<std::filesystem::path>& folders, std::optional<double> threshold);
+/// \param most_readers  processes that read the files, with the same result for any number; 0: one a core
+std::vector<RunGroup> gather(const std::vector<std::filesystem::path>& folders, std::optional<double> threshold,
+                             std::size_t most_readers = 0);
 
 /// Keys that vary between the groups; empty for a single one.
 std::vector<std::string> swept_keys(const std::vector<RunGroup>& groups);

@@ -56,6 +56,14 @@ struct SeedRecord {
   double filling_time = 0;  ///< measured (start = "empty"), or as the solver says (start = "filled" or
                             ///< "flowing"), NaN if it does not [s]
   double wall_time = std::numeric_limits<double>::quiet_NaN();  ///< if the solver says so [s]
+
+  /// Without its file, see coupling/base/archive.hpp.
+  template <class Archive>
+  void exchange(Archive& archive) {
+    archive(seed, window, protocol, passages, while_off, releases, sizes.of_species, sizes.diameters, lapses, bursts,
+            first_burst, start_flowed, steady.particles, steady.packing_fraction, steady.porosity, steady.samples,
+            filling_time, wall_time);
+  }
 };
 
 /// The run with the passages of one neck alone: releases, series and end are those of all.

@@ -1,6 +1,8 @@
 """Reads the parts of a run file (run_NNNN.h5) that the figures need."""
 
+from contextlib import contextmanager
 from dataclasses import dataclass
+from pathlib import Path
 
 import h5py
 import numpy as np
@@ -22,8 +24,16 @@ class Snapshot:
     radius: np.ndarray    # [n] [m]
 
 
+@contextmanager
+def opened(path):
+    """The root of a run file; "pack.h5/run_0001.h5" is a group in a pack (clog pack)."""
+    path = Path(path)
+    with h5py.File(path.parent if path.parent.is_file() else path, "r") as file:
+        yield file[path.name] if path.parent.is_file() else file
+
+
 def read_events(path):
-    with h5py.File(path, "r") as file:
+    with opened(path) as file:
         time = file["passages/time"][:]
         off = file["passages/friction_off"][:].astype(bool)
         neck = file["passages/neck"][:] if "passages/neck" in file else np.zeros(len(time), dtype=int)
@@ -33,18 +43,18 @@ def read_events(path):
 def read_series(path):
     """Columns of the time series; porosity is [sample][strip]. Those of a flow that is not steady are there if it is not."""
     always, driven = ("time", "count", "packing_fraction", "porosity"), ("flow_factor", "pressure_drop")
-    with h5py.File(path, "r") as file:
+    with opened(path) as file:
         return {name: file[f"series/{name}"][:] for name in always + driven if name in always or name in file["series"]}
 
 
 def snapshot_times(path):
-    with h5py.File(path, "r") as file:
+    with opened(path) as file:
         return file["snapshots/time"][:]
 
 
 def read_snapshot(path, time):
     """The snapshot recorded closest to a time [s]."""
-    with h5py.File(path, "r") as file:
+    with opened(path) as file:
         group = file["snapshots"]
         times = group["time"][:]
         k = int(np.argmin(np.abs(times - time)))

@@ -23,7 +23,7 @@ struct Resampling {
 };
 
 /// Statistic of an ensemble in which seed k occurs as often as its index occurs.
-/// May return NaN when that ensemble does not define it.
+/// May return NaN when that ensemble does not define it. Called on many threads at once.
 using EnsembleStatistic = std::function<double(const std::vector<std::size_t>& seeds)>;
 
 /// Percentile bootstrap over seeds: `count` seeds are drawn with replacement. Replicates in which
@@ -32,9 +32,21 @@ using EnsembleStatistic = std::function<double(const std::vector<std::size_t>& s
 /// Tibshirani, An Introduction to the Bootstrap, ch. 13
 Estimate bootstrap_over_seeds(std::size_t count, const EnsembleStatistic& statistic, const Resampling& resampling);
 
+/// Calls take(replicate, seeds drawn) for each replicate of bootstrap_over_seeds, on all cores and in any order.
+/// \param take  must not throw, nor change what another replicate's call sees
+void draw_seeds(std::size_t count, const Resampling& resampling,
+                const std::function<void(std::size_t, const std::vector<std::size_t>&)>& take);
+
+/// The interval of bootstrap_over_seeds around the value of the ensemble itself. \param replicates  values of the
+/// resampled ensembles, in order, undefined ones included
+Estimate percentile_interval(double value, const std::vector<double>& replicates, const Resampling& resampling);
+
 /// Whether all resampled ensembles gave the same value: seeds that happen to agree have no spread,
 /// which does not make the value certain.
 bool is_spread_missing(const Estimate& estimate);
+
+/// The value alone, of an ensemble that cannot be resampled.
+Estimate single_seed(double value);
 
 /// The value alone, and why.
 Estimate without_interval(const Estimate& estimate);

@@ -16,24 +16,31 @@
 namespace clogflow::postprocess {
 namespace {
 
+double share_of_ones(const std::vector<char>& values) {
+  return static_cast<double>(std::accumulate(values.begin(), values.end(), std::size_t{0})) /
+         static_cast<double>(values.size());
+}
+
 double mean_of(const std::vector<std::size_t>& sizes) {
   return std::accumulate(sizes.begin(), sizes.end(), 0.0) / static_cast<double>(sizes.size());
 }
 
 /// Both functions are steps at the whole numbers: it is enough to look at those that occur and just
 /// before them.
-double distance(std::vector<std::size_t>& sizes) {
-  std::sort(sizes.begin(), sizes.end());
+double distance(const std::vector<std::size_t>& sizes) {
+  std::vector<TrialCount> counts;
+  counts.reserve(sizes.size());
+  for (const std::size_t size : sizes) counts.push_back({size, true});
   const double go_on = 1.0 - 1.0 / mean_of(sizes);
-  const auto below = [&](std::size_t s) { return 1.0 - std::pow(go_on, static_cast<double>(s)); };
+  const auto below = [&](double s) { return 1.0 - std::pow(go_on, s); };
   const auto n = static_cast<double>(sizes.size());
   double largest = 0;
-  for (std::size_t i = 0; i < sizes.size();) {
-    std::size_t next = i;
-    while (next < sizes.size() && sizes[next] == sizes[i]) ++next;
-    largest = std::max({largest, std::abs(static_cast<double>(next) / n - below(sizes[i])),
-                        std::abs(static_cast<double>(i) / n - below(sizes[i] - 1))});
-    i = next;
+  std::size_t before = 0;
+  for (const auto& [size, ended, cut] : ends_of(counts)) {
+    const std::size_t up_to = before + ended;
+    largest = std::max({largest, std::abs(static_cast<double>(up_to) / n - below(size)),
+                        std::abs(static_cast<double>(before) / n - below(size - 1))});
+    before = up_to;
   }
   return largest;
 }
@@ -50,16 +57,13 @@ std::vector<std::size_t> geometric_sample(std::size_t n, double mean, RandomStre
 
 GeometricTest test_geometric(const std::vector<std::size_t>& sizes, std::size_t replicates, std::uint64_t seed) {
   require(!sizes.empty() && replicates > 0, "{} burst sizes, {} replicates: nothing to test", sizes.size(), replicates);
-  std::vector<std::size_t> sorted = sizes;
   GeometricTest test;
-  test.ks = distance(sorted);
+  test.ks = distance(sizes);
   const double mean = mean_of(sizes);
-  std::size_t further = 0;
-  for (std::size_t k = 0; k < replicates; ++k) {
-    auto sample = geometric_sample(sizes.size(), mean, RandomStream(seed, k));
-    further += distance(sample) >= test.ks ? 1 : 0;
-  }
-  test.p_value = static_cast<double>(further) / static_cast<double>(replicates);
+  const auto far = on_all_cores(replicates, [&](std::size_t k) -> char {
+    return distance(geometric_sample(sizes.size(), mean, RandomStream(seed, k))) >= test.ks ? 1 : 0;
+  });
+  test.p_value = share_of_ones(far);
   return test;
 }
 
@@ -74,7 +78,7 @@ double distance(const std::vector<TrialCount>& sample) {
   const double go_on = 1 - hazard_of(sums);
   const auto law = [&](double trials) { return std::pow(go_on, trials); };
   double before = 1, largest = 0;
-  for (const SurvivalStep& step : kaplan_meier(as_observations(sample))) {
+  for (const SurvivalStep& step : kaplan_meier(ends_of(sample))) {
     largest = std::max({largest, std::abs(before - law(step.time)), std::abs(step.survival - law(step.time + 1))});
     before = step.survival;
   }
@@ -86,8 +90,10 @@ double distance(const std::vector<TrialCount>& sample) {
 std::vector<TrialCount> cut_geometric_sample(std::size_t n, double hazard, const CuttingTimes& cut,
                                              RandomStream random) {
   std::vector<TrialCount> sample;
+  sample.reserve(n);
+  const double log_go_on = std::log1p(-hazard);
   for (std::size_t i = 0; i < n; ++i) {
-    const double passed = hazard < 1 ? std::floor(std::log1p(-random.uniform()) / std::log1p(-hazard)) : 0;
+    const double passed = hazard < 1 ? std::floor(std::log1p(-random.uniform()) / log_go_on) : 0;
     const double end = cut(random);  // half a trial before the one whose outcome is not seen
     sample.push_back(end < passed ? TrialCount{static_cast<std::size_t>(end + 0.5), false}
                                   : TrialCount{static_cast<std::size_t>(passed), true});
@@ -109,8 +115,7 @@ GeometricTest test_geometric_trials(const std::vector<TrialCount>& sample, std::
     // Without an event there is no fit: it counts as far, which keeps the test lenient.
     return sums_of(made_up).events == 0 || distance(made_up) >= test.ks ? 1 : 0;
   });
-  test.p_value =
-      static_cast<double>(std::accumulate(far.begin(), far.end(), std::size_t{0})) / static_cast<double>(replicates);
+  test.p_value = share_of_ones(far);
   return test;
 }
 

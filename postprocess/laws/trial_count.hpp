@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "postprocess/laws/censored.hpp"
+#include "postprocess/laws/survival.hpp"
 
 namespace clogflow::postprocess {
 
@@ -26,6 +27,9 @@ inline Observation as_observation(const TrialCount& count) {
 }
 
 std::vector<Observation> as_observations(const std::vector<TrialCount>& sample);
+
+/// ends_of(as_observations(sample)); whole numbers are counted, which is quicker than to sort them.
+std::vector<EndsAt> ends_of(const std::vector<TrialCount>& sample);
 
 /// Sums over a sample.
 struct TrialSums {

@@ -32,13 +32,15 @@ std::vector<QuantityStatistics> quantities_with_halves(const RunGroup& group, co
     whole.push_back(a + b);
     whole.back().seeds = 1;
   }
+  const ResampledSums sums(whole, request.resampling), before(first, request.resampling),
+      after(second, request.resampling);
   std::vector<QuantityStatistics> all;
   for (const Quantity& quantity : quantities()) {
-    all.push_back({&quantity, estimate(quantity, whole, request.resampling), {}});
+    all.push_back({&quantity, estimate(quantity, sums), {}});
     if (quantity.shown_by == ShownBy::end_of_run) continue;
-    const Estimate change = estimate_change(quantity, halves, request.resampling);
-    all.back().halves = Ageing{.first_half = estimate(quantity, first, request.resampling),
-                               .second_half = estimate(quantity, second, request.resampling),
+    const Estimate change = estimate_change(quantity, before, after);
+    all.back().halves = Ageing{.first_half = estimate(quantity, before),
+                               .second_half = estimate(quantity, after),
                                .change = change,
                                .drifts = {}};
     if (std::isfinite(change.low)) all.back().halves->drifts = change.low > 0 || change.high < 0;

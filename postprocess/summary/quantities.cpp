@@ -104,43 +104,54 @@ const Quantity* find_quantity(const std::string& key) {
   return found == all_quantities.end() ? nullptr : &*found;
 }
 
-Estimate resampled(const Quantity& quantity, const std::vector<Totals>& parts, const Resampling& resampling) {
-  return bootstrap_over_seeds(
-      parts.size(),
-      [&](const std::vector<std::size_t>& drawn) {
-        Totals sum;
-        for (const std::size_t k : drawn) sum = sum + parts[k];
-        return quantity.value(sum);
-      },
-      resampling);
+ResampledSums::ResampledSums(const std::vector<Totals>& parts, const Resampling& how)
+    : whole(sum_of(parts)), resampling(how) {
+  if (parts.size() < 2) return;
+  replicates.resize(resampling.replicates);
+  draw_seeds(parts.size(), resampling, [&](std::size_t replicate, const std::vector<std::size_t>& drawn) {
+    Totals sum;
+    for (const std::size_t k : drawn) sum += parts[k];
+    replicates[replicate] = sum;
+  });
 }
 
-Estimate estimate(const Quantity& quantity, const std::vector<Totals>& seeds, const Resampling& resampling) {
-  Estimate known = resampled(quantity, seeds, resampling);
+namespace {
+
+/// \param of  replicate -> value of the statistic
+template <class Of>
+Estimate interval_of(double value, const ResampledSums& sums, const Of& of) {
+  if (!std::isfinite(value)) return {value, undefined, undefined};
+  if (sums.replicates.empty()) return single_seed(value);
+  std::vector<double> values(sums.replicates.size());
+  for (std::size_t k = 0; k < values.size(); ++k) values[k] = of(k);
+  return percentile_interval(value, values, sums.resampling);
+}
+
+}  // namespace
+
+Estimate resampled(const Quantity& quantity, const ResampledSums& sums) {
+  return interval_of(quantity.value(sums.whole), sums,
+                     [&](std::size_t k) { return quantity.value(sums.replicates[k]); });
+}
+
+Estimate estimate(const Quantity& quantity, const ResampledSums& seeds) {
+  Estimate known = resampled(quantity, seeds);
   if (!std::isfinite(known.value)) {
-    const Estimate bound = from_counts(quantity, sum_of(seeds), resampling.level);
+    const Estimate bound = from_counts(quantity, seeds.whole, seeds.resampling.level);
     return {undefined, bound.low, bound.high, quantity.missing};
   }
   if (!is_spread_missing(known)) return known;
   known = without_interval(known);
-  const Estimate exact = from_counts(quantity, sum_of(seeds), resampling.level);
+  const Estimate exact = from_counts(quantity, seeds.whole, seeds.resampling.level);
   if (!std::isfinite(exact.high)) return known;
   return {known.value, exact.low, exact.high, known.note + "; interval of the counts"};
 }
 
-Estimate estimate_change(const Quantity& quantity, const std::vector<std::array<Totals, 2>>& halves,
-                         const Resampling& resampling) {
-  const Estimate change = bootstrap_over_seeds(
-      halves.size(),
-      [&](const std::vector<std::size_t>& drawn) {
-        Totals first, second;
-        for (const std::size_t k : drawn) {
-          first = first + halves[k][0];
-          second = second + halves[k][1];
-        }
-        return quantity.value(second) - quantity.value(first);
-      },
-      resampling);
+Estimate estimate_change(const Quantity& quantity, const ResampledSums& first, const ResampledSums& second) {
+  const Estimate change =
+      interval_of(quantity.value(second.whole) - quantity.value(first.whole), first, [&](std::size_t k) {
+        return quantity.value(second.replicates[k]) - quantity.value(first.replicates[k]);
+      });
   return is_spread_missing(change) ? without_interval(change) : change;
 }
 

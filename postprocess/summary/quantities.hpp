@@ -35,17 +35,26 @@ const std::vector<Quantity>& quantities();
 /// The one with this key, or nullptr.
 const Quantity* find_quantity(const std::string& key);
 
-/// Value of a quantity over parts of an ensemble (seeds, or blocks of bursts) with its interval from resampled parts.
-Estimate resampled(const Quantity& quantity, const std::vector<Totals>& parts, const Resampling& resampling);
+/// Sums over the parts of an ensemble (seeds, or blocks of bursts) and over resampled ones: drawn once, for all
+/// quantities.
+struct ResampledSums {
+  ResampledSums(const std::vector<Totals>& parts, const Resampling& resampling);
+
+  Totals whole;
+  std::vector<Totals> replicates;  ///< none of fewer than 2 parts
+  Resampling resampling;
+};
+
+/// Value of a quantity over the parts with its interval from resampled parts.
+Estimate resampled(const Quantity& quantity, const ResampledSums& sums);
 
 /// Value of a quantity over an ensemble with its interval from resampled seeds. Where these all
 /// give the same, which is no certainty, the interval is the exact one of the counts, if they have
 /// one. The note says so, and why there is no value or no interval.
-Estimate estimate(const Quantity& quantity, const std::vector<Totals>& seeds, const Resampling& resampling);
+Estimate estimate(const Quantity& quantity, const ResampledSums& seeds);
 
 /// Second half minus first half, seeds resampled in pairs: a quantity whose interval excludes 0
-/// drifts.
-Estimate estimate_change(const Quantity& quantity, const std::vector<std::array<Totals, 2>>& halves,
-                         const Resampling& resampling);
+/// drifts. \param first, second  of equally many seeds, resampled alike
+Estimate estimate_change(const Quantity& quantity, const ResampledSums& first, const ResampledSums& second);
 
 }  // namespace clogflow::postprocess

@@ -70,7 +70,7 @@ double StoppingRule::value(const std::vector<Totals>& seeds) const {
   if (seeds.size() < fewest_seeds) return std::numeric_limits<double>::quiet_NaN();
   const Resampling resampling;
   const Estimate interval =
-      wider(estimate(*quantity_, seeds, resampling), limit_of_counts(*quantity_, sum_of(seeds), resampling.level));
+      wider(estimate(*quantity_, {seeds, resampling}), limit_of_counts(*quantity_, sum_of(seeds), resampling.level));
   return 0.5 * (interval.high - interval.low) / std::abs(interval.value);
 }
 

@@ -83,15 +83,19 @@ Totals totals_of(const Burst& burst, UnclogProtocol protocol) {
   return totals;
 }
 
-Totals operator+(const Totals& a, const Totals& b) {
-  Totals sum;
-  for (const auto member : members) sum.*member = a.*member + b.*member;
+Totals& operator+=(Totals& sum, const Totals& more) {
+  for (const auto member : members) sum.*member += more.*member;
   return sum;
+}
+
+Totals operator+(const Totals& a, const Totals& b) {
+  Totals sum = a;
+  return sum += b;
 }
 
 Totals sum_of(const std::vector<Totals>& parts) {
   Totals sum;
-  for (const Totals& each : parts) sum = sum + each;
+  for (const Totals& each : parts) sum += each;
   return sum;
 }
 

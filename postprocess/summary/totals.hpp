@@ -49,6 +49,7 @@ double all_stops(const Totals& totals);
 double all_escaped(const Totals& totals);
 
 Totals operator+(const Totals& a, const Totals& b);
+Totals& operator+=(Totals& sum, const Totals& more);
 
 Totals sum_of(const std::vector<Totals>& parts);
 

@@ -25,8 +25,8 @@ if TYPE_CHECKING:
 
     Source = Union[Ensemble, Run, Statistics]
 
-MODULES = ("style", "channel", "run_file", "stats_files", "fig_trend", "fig_snapshots", "fig_spatiotemporal", "fig_first_burst",
-           "fig_bursts", "fig_lapses", "fig_series")
+MODULES = ("style", "channel", "run_file", "stats_files", "fig_trend", "fig_snapshots", "fig_spatiotemporal", "fig_necks",
+           "fig_first_burst", "fig_bursts", "fig_lapses", "fig_series")
 
 
 def folder_of_scripts() -> Path:
@@ -115,6 +115,11 @@ def spatiotemporal_sweep(source: "Source") -> "Figure":
 def snapshots(source: "Source", group: int = 0) -> "Figure":
     """Arch, burst and new arch, if they were recorded; else three moments of a run. `group`: which entry of a sweep."""
     return named("fig_snapshots", "snapshots", source, group)
+
+
+def necks(source: "Source", group: int = 0) -> "Figure":
+    """Passages and mean burst of each of several necks. Raises ClogflowError where there is one."""
+    return named("fig_necks", "necks", source, group)
 
 
 def series(source: "Source", group: int = 0) -> "Figure":

@@ -29,6 +29,11 @@ clog_tests(test_channel_runs
   SOURCES dem/run/test_channel_runs.cpp dem/run/test_contact_lists.cpp dem/run/test_full_inlet.cpp
           dem/run/test_rest_proof.cpp dem/run/test_similarity.cpp dem/run/test_driven_flow.cpp dem/run/test_threads.cpp
   LIBRARIES clog_dem LABELS slow)
+clog_tests(test_packing
+  SOURCES ensemble/test_packing.cpp coupling/base/test_in_processes.cpp
+  LIBRARIES clog_ensemble LABELS unit)
+target_compile_definitions(test_packing PRIVATE CLOG_PROGRAM="$<TARGET_FILE:clog>")
+add_dependencies(test_packing clog)
 clog_tests(test_ensemble
   SOURCES ensemble/test_ensemble.cpp
   LIBRARIES clog_ensemble LABELS slow)

@@ -291,5 +291,42 @@ TEST(Plan, WarnsOfCrystalsUntilSizesDiffer) {
   EXPECT_EQ(note({"particles.size_spread=0.1"}), "");
 }
 
+// Restarts of scenes/campaign.toml with 5 D of channel took 0.104 to 0.108 s a burst at D/d = 2.13 (48 and 445 bursts)
+// and 0.111 s at 2.5 (324 bursts).
+TEST(Plan, SaysWhatABurstCosts) {
+  const Overrides neck = {"geometry.channel_length=500 um", "inlet.start=flowing", "unclog.protocol=restart"};
+  const auto burst = [&](Overrides more) {
+    more.insert(more.end(), neck.begin(), neck.end());
+    return make_plan(cheap_paper_scene(more)).burst;
+  };
+  const ExpectedBurst at_47 = burst({"particles.diameter=47 um"}), at_40 = burst({"particles.diameter=40 um"});
+  EXPECT_EQ(at_47.unknown, "");
+  EXPECT_NEAR(at_47.mean, 8.4, 0.01);
+  EXPECT_NEAR(at_47.simulated(), 0.107, 0.05 * 0.107);
+  EXPECT_NEAR(at_40.mean, 11.8, 0.01);
+  EXPECT_NEAR(at_40.simulated(), 0.111, 0.05 * 0.111);
+  // Half way between the two sizes of the map in D/d the mean is the geometric one.
+  EXPECT_NEAR(burst({"particles.diameter=43.215 um"}).mean, std::sqrt(8.4 * 11.8), 0.02);
+  // (1.96 * 0.48 / 0.05)^2 = 354.04
+  EXPECT_EQ(bursts_for(at_47.spread, 0.05), 355);
+  // Twice as fast: half the time.
+  EXPECT_NEAR(burst({"particles.diameter=47 um", "flow.mean_velocity=10 mm/s"}).simulated(), at_47.simulated() / 2,
+              1e-9);
+}
+
+TEST(Plan, SaysWhereNobodyMeasuredABurst) {
+  const auto unknown = [](Overrides more) {
+    more.insert(more.end(), {"inlet.start=flowing"});
+    return make_plan(cheap_paper_scene(more)).burst.unknown;
+  };
+  EXPECT_THAT(unknown({"unclog.protocol=restart", "contact.friction.sliding=0.45"}),
+              HasSubstr("friction 0.45, 0.6, 0.6 (sliding, rolling, torsion) is not on the map"));
+  EXPECT_THAT(unknown({"unclog.protocol=stop", "particles.diameter=20 um"}), HasSubstr("not at 5"));
+  EXPECT_THAT(unknown({"unclog.protocol=release"}), HasSubstr("neither \"restart\" nor \"stop\""));
+  EXPECT_THAT(unknown({"unclog.protocol=stop", "contact.friction.rolling=0", "contact.friction.torsion=0"}),
+              HasSubstr("only 1 of 6 seeds of the map clogged: <s> is above"));
+  EXPECT_THAT(unknown({"unclog.protocol=stop", "geometry.half_angle=45 deg"}), HasSubstr("narrows at 60 deg"));
+}
+
 }  // namespace
 }  // namespace clogflow::test

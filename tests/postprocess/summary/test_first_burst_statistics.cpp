@@ -105,11 +105,11 @@ TEST(FirstBurstStatistics, quantities_and_the_rule_that_stops_an_ensemble) {
 
 TEST(FirstBurstStatistics, a_mean_of_first_bursts_needs_a_clog) {
   const RunGroup group = group_of({{40, false, {}, NAN, NAN}, {60, false, {}, NAN, NAN}});
-  const Estimate mean = estimate(*find_quantity("first_burst_mean"), totals_of_seeds(group), quick.resampling);
+  const Estimate mean = estimate(*find_quantity("first_burst_mean"), {totals_of_seeds(group), quick.resampling});
   EXPECT_TRUE(std::isnan(mean.value) && std::isnan(mean.high));
   EXPECT_NEAR(mean.low, 1 / (1 - std::pow(0.05, 0.01)) - 1, 1e-9);
   EXPECT_EQ(mean.note, "no seed clogged");
-  const Estimate none = estimate(*find_quantity("first_burst_mean"), totals_of_seeds(group_of({clogged(0, 0)})), {});
+  const Estimate none = estimate(*find_quantity("first_burst_mean"), {totals_of_seeds(group_of({clogged(0, 0)})), {}});
   EXPECT_EQ(none.value, 0);
 }
 

@@ -15,7 +15,7 @@ using testing::HasSubstr;
 
 Estimate known(const char* key, const std::vector<Totals>& seeds) {
   for (const Quantity& quantity : quantities())
-    if (quantity.key == key) return estimate(quantity, seeds, {.replicates = 200});
+    if (quantity.key == key) return estimate(quantity, {seeds, {.replicates = 200}});
   throw Error(key);
 }
 
@@ -76,7 +76,7 @@ TEST(Quantities, a_change_that_all_seeds_share_is_no_proof_of_ageing) {
   second.passages = 1;
   for (const Quantity& quantity : quantities()) {
     if (quantity.key != "flow_rate") continue;
-    const Estimate change = estimate_change(quantity, {{first, second}, {first, second}}, {});
+    const Estimate change = estimate_change(quantity, {{first, first}, {}}, {{second, second}, {}});
     EXPECT_EQ(change.value, -1);
     EXPECT_TRUE(std::isnan(change.low));
   }
