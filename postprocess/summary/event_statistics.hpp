@@ -16,7 +16,7 @@ namespace clogflow::postprocess {
 
 struct StatisticsRequest {
   std::size_t p_value_replicates = 250;  ///< of the goodness of fit: p to 0.03; 0: not computed
-  Resampling resampling;                 ///< of the intervals
+  Resampling resampling = {};            ///< of the intervals
 };
 
 /// Sizes of the bursts that the mean counts: s >= 1, whole; the first of a run only without
