@@ -63,12 +63,13 @@ void add_pairs(Group& group) {
 }  // namespace
 
 Group species_friction() {
-  Group group{"Friction of species",
-              "Two species on one floor: gross sliding u0 - mu F t / m and decay of a twist, each by its own "
-              "coefficients. Pairs that glance off each other and slip to the end: the impulse along the contact over "
-              "that across it is the pair's mu, the harmonic mean 2 a b / (a + b) of its surfaces as in MercuryDPM. "
-              "Limits: length of the springs, overlap over the radius, the 5e-4 rad that the contact turns in an impact.",
-              {}};
+  Group group{
+      "Friction of species",
+      "Two species on one floor: gross sliding u0 - mu F t / m and decay of a twist, each by its own "
+      "coefficients. Pairs that glance off each other and slip to the end: the impulse along the contact over "
+      "that across it is the pair's mu, the harmonic mean 2 a b / (a + b) of its surfaces as in MercuryDPM. "
+      "Limits: length of the springs, overlap over the radius, the 5e-4 rad that the contact turns in an impact.",
+      {}};
   add_floor(group);
   add_pairs(group);
   return group;
