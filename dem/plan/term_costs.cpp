@@ -26,7 +26,7 @@ std::vector<TermCost> term_costs(const Scene& scene) {
   // Its loop has all terms, whatever their coefficients. \measured docs/sizes.md
   if (of_species)
     costs.push_back(
-        {"friction of species", 25 + (friction.rolling > 0 ? 0 : rolling) + (friction.torsion > 0 ? 0 : torsion)});
+        {"friction of species", 61 + (friction.rolling > 0 ? 0 : rolling) + (friction.torsion > 0 ? 0 : torsion)});
   if (scene.lubrication.enabled) costs.push_back({"lubrication", 122});
   if (scene.drag.enabled) costs.push_back({"drag", 43});
   if (scene.drag.fluctuation.strength > 0) costs.push_back({"random drag", 72});

@@ -196,7 +196,7 @@ def necks(groups):
         if not group.get("necks"):
             continue
         columns = [*group["necks"], group]
-        rows = [["passages (while friction was off)",
+        rows = [["passages (of them while friction was off)",
                  *[f"{sum(r['passages'] for r in c['runs']):d} ({sum(r['while_off'] for r in c['runs']):d})" for c in columns]],
                 ["bursts counted (cut off by the end)", *[f"{c['bursts']['counted']} ({c['bursts']['cut_off']})" for c in columns]],
                 ["arrests (cut by a release, by the end)",
