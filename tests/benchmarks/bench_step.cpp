@@ -29,8 +29,8 @@ void count(benchmark::State& state, std::size_t items) {
 }
 
 void whole_step(benchmark::State& state) {
-  Simulation& simulation = pack(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)),
-                                static_cast<int>(state.range(2)));
+  Simulation& simulation =
+      pack(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)), static_cast<int>(state.range(2)));
   for (auto _ : state) {
     simulation.compute_forces();
     simulation.advance();
