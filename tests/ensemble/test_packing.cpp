@@ -74,7 +74,8 @@ TEST_F(Packs, GiveTheSameStatisticsForAnyNumberOfReaders) {
   for (const std::size_t readers : {2, 3, 41}) EXPECT_TRUE(records(made, readers) == alone) << readers;
   EXPECT_TRUE(records(path("pack.h5"), 2) == alone);
   for (const char* name : {"runs", "pack.h5"})
-    postprocess::write_statistics({{path(name)}, path(std::string("of ") + name), {}, {.p_value_replicates = 0}});
+    postprocess::write_statistics(
+        {{path(name)}, path(std::string("of ") + name), {}, {.p_value_replicates = 0, .resampling = {}}});
   std::string of_pack = read_text_file(path("of pack.h5/stats.json"));
   for (std::size_t at; (at = of_pack.find("pack.h5/")) != std::string::npos;) of_pack.replace(at, 7, "runs");
   EXPECT_TRUE(of_pack == read_text_file(path("of runs/stats.json"))) << "but for where the files are";
@@ -160,7 +161,8 @@ TEST_F(Packs, ByTheProgram) {
   EXPECT_THAT(said(), HasSubstr("a run file: what the particles of seed 2 did"));
   EXPECT_EQ(call(clog + " stats pack.h5 --out stats --p-value 0"), 0) << said();
   write(path("scene.toml"),
-        "[particles]\ndiameter = \"1 mm\"\n[contact]\nyoungs_modulus = \"1 MPa\"\npoisson_ratio = 0.3\n"
+        "[particles]\ndiameter = \"1 mm\"\ndensity = \"1000 kg/m3\"\n[contact]\nyoungs_modulus = \"1 "
+        "MPa\"\npoisson_ratio = 0.3\n"
         "[box]\nmin = [\"0 m\", \"0 m\", \"0 m\"]\nmax = [\"1 cm\", \"1 cm\", \"1 cm\"]\n[time]\nend = \"1 ms\"\n");
   EXPECT_EQ(call(clog + " run scene.toml --seeds 1 --out pack.h5"), 1);
   EXPECT_THAT(said(), HasSubstr("pack.h5: is a file: runs go into a folder, and none is added to a pack"));
