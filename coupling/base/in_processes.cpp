@@ -69,6 +69,9 @@ public:
   Worker& operator=(const Worker&) = delete;
   ~Worker() { end(); }
 
+  /// In a process forked later: it must not keep this pipe open, or its worker never learns that nobody reads.
+  void forget() const { ::close(from_); }
+
   std::string next() {
     std::size_t size = 0;
     std::string bytes;
@@ -117,6 +120,7 @@ void in_processes(std::size_t count, std::size_t workers, const std::function<st
   std::vector<std::unique_ptr<Worker>> all;
   for (std::size_t w = 0; w < workers; ++w)
     all.push_back(std::make_unique<Worker>([&](int to) {
+      for (const auto& earlier : all) earlier->forget();
       for (std::size_t i = w; i < count; i += workers) {
         const std::string bytes = work(i);
         const std::size_t size = bytes.size();

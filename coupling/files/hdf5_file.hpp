@@ -68,9 +68,9 @@ public:
   void attribute(const std::string& object, const std::string& name, const std::vector<T>& values);
   void attribute(const std::string& object, const std::string& name, const std::string& text);
   void group(const std::string& path);
-  /// All that another HDF5 file holds, attributes of its root included, as a group of this name; packed pieces are
-  /// copied as they are.
-  void copy_root(const std::filesystem::path& from, const std::string& group);
+  /// For coupling/files alone: the root, and what is said where something could not be written into it.
+  const Hdf5Handle& root() const { return handle_; }
+  void require_written(bool done, const std::string& path) const;
 
   /// Flushes to the disk, then gives it its name.
   void finish();

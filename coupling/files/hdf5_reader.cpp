@@ -154,7 +154,7 @@ void Hdf5Reader::spend(double bytes) const {
 }
 
 Hdf5Handle Hdf5Reader::open_dataset(const std::string& dataset) const {
-  const Hdf5Handle* holder = holder_of(dataset);
+  const Hdf5Handle* holder = dataset == "/" ? &handle_ : holder_of(dataset);
   check(holder != nullptr, dataset + " is missing");
   Hdf5Handle data = dataset_handle(H5Dopen2(holder->id(), last_name(dataset).c_str(), H5P_DEFAULT));
   check(data.valid(), dataset + " (not a dataset, or damaged)");

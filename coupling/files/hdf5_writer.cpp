@@ -143,13 +143,8 @@ void Hdf5Writer::group(const std::string& path) {
   require(group.valid(), "{}: {}: cannot be created ({})", file_.string(), path, system_reason());
 }
 
-void Hdf5Writer::copy_root(const std::filesystem::path& from, const std::string& group) {
-  const Hdf5Handle access = list_handle(H5Pcreate(H5P_FILE_ACCESS));
-  H5Pset_file_locking(access.id(), false, true);
-  const Hdf5Handle source = file_handle(H5Fopen(from.c_str(), H5F_ACC_RDONLY, access.id()));
-  require(source.valid(), "{} (damaged or cut off, or still being written)", from.string());
-  require(H5Ocopy(source.id(), "/", handle_.id(), group.c_str(), H5P_DEFAULT, H5P_DEFAULT) >= 0,
-          "{}: {}: cannot be copied ({})", file_.string(), from.string(), system_reason());
+void Hdf5Writer::require_written(bool done, const std::string& path) const {
+  require(done, "{}: {}: cannot be written ({})", file_.string(), path, done ? "" : system_reason());
 }
 
 void Hdf5Writer::finish() {

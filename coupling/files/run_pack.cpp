@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "coupling/base/require.hpp"
+#include "coupling/files/hdf5_guard.hpp"
 #include "coupling/files/hdf5_library.hpp"
 
 namespace clogflow {
@@ -53,15 +54,12 @@ bool same(const Stored& a, const Stored& b) {
          a.bytes == b.bytes;
 }
 
-bool same_attribute(hid_t a, hid_t b, const std::string& name, const std::string& path) {
-  const auto read = [&](hid_t object) {
-    const Hdf5Handle attribute = attribute_handle(H5Aopen(object, name.c_str(), H5P_DEFAULT));
-    require(attribute.valid(), "{}@{} (damaged)", path, name);
-    return stored(
-        H5Aget_type(attribute.id()), H5Aget_space(attribute.id()),
-        [&](hid_t type, void* bytes) { return H5Aread(attribute.id(), type, bytes); }, path + "@" + name);
-  };
-  return same(read(a), read(b));
+Stored stored_attribute(hid_t object, const std::string& name, const std::string& path) {
+  const Hdf5Handle attribute = attribute_handle(H5Aopen(object, name.c_str(), H5P_DEFAULT));
+  require(attribute.valid(), "{}@{} (damaged)", path, name);
+  return stored(
+      H5Aget_type(attribute.id()), H5Aget_space(attribute.id()),
+      [&](hid_t type, void* bytes) { return H5Aread(attribute.id(), type, bytes); }, path + "@" + name);
 }
 
 Stored stored_in(hid_t dataset, const std::string& path) {
@@ -75,7 +73,7 @@ std::string difference(hid_t a, hid_t b, const std::string& path) {
   const Names attributes = attributes_of(a);
   if (attributes != attributes_of(b)) return path;
   for (const std::string& name : attributes)
-    if (!same_attribute(a, b, name, path)) return path + "@" + name;
+    if (!same(stored_attribute(a, name, path), stored_attribute(b, name, path))) return path + "@" + name;
   if (H5Iget_type(a) == H5I_DATASET) return same(stored_in(a, path), stored_in(b, path)) ? "" : path;
   const Names names = links_of(a);
   if (names != links_of(b)) return path;
@@ -89,12 +87,66 @@ std::string difference(hid_t a, hid_t b, const std::string& path) {
   return {};
 }
 
+/// Copies objects piece by piece: H5Ocopy, which would do it at once, crashes when the disk is full.
+class Copier {
+public:
+  explicit Copier(const Hdf5Writer& out) : out_(out) {}
+
+  void copy(hid_t from, hid_t to_group, const std::string& name, const std::string& path) const {
+    H5Iget_type(from) == H5I_DATASET ? copy_dataset(from, to_group, name, path)
+                                     : copy_group(from, to_group, name, path);
+  }
+
+private:
+  void copy_group(hid_t from, hid_t to_group, const std::string& name, const std::string& path) const {
+    const Hdf5Handle made = group_handle(H5Gcreate2(to_group, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+    out_.require_written(made.valid(), path);
+    copy_attributes(from, made.id(), path);
+    for (const std::string& each : links_of(from)) {
+      const std::string below = path + "/" + each;
+      require(has_plain_link(from, each, below), "{} (damaged)", below);
+      const Hdf5Handle object = object_handle(H5Oopen(from, each.c_str(), H5P_DEFAULT));
+      require(object.valid(), "{} (damaged)", below);
+      copy(object.id(), made.id(), each, below);
+    }
+  }
+
+  void copy_dataset(hid_t from, hid_t to_group, const std::string& name, const std::string& path) const {
+    const std::string wrong = storage_fault(from);
+    require(wrong.empty(), "{} ({})", path, wrong);
+    const Stored values = stored_in(from, path);
+    const Hdf5Handle list = list_handle(H5Dget_create_plist(from));
+    const Hdf5Handle made = dataset_handle(
+        H5Dcreate2(to_group, name.c_str(), values.type.id(), values.space.id(), H5P_DEFAULT, list.id(), H5P_DEFAULT));
+    out_.require_written(
+        made.valid() && (values.bytes.empty() || H5Dwrite(made.id(), values.type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT,
+                                                          values.bytes.data()) >= 0),
+        path);
+    copy_attributes(from, made.id(), path);
+  }
+
+  void copy_attributes(hid_t from, hid_t to, const std::string& path) const {
+    for (const std::string& name : attributes_of(from)) {
+      const Stored value = stored_attribute(from, name, path);
+      const Hdf5Handle made =
+          attribute_handle(H5Acreate2(to, name.c_str(), value.type.id(), value.space.id(), H5P_DEFAULT, H5P_DEFAULT));
+      out_.require_written(made.valid() && H5Awrite(made.id(), value.type.id(), value.bytes.data()) >= 0, path);
+    }
+  }
+
+  const Hdf5Writer& out_;
+};
+
 }  // namespace
 
 void RunPackWriter::add(const std::filesystem::path& run_file) {
-  const FileFormat format = file_format(run_file);
-  require(format.name == "clogflow run", "{} (is no run file)", run_file.string());
-  out_.copy_root(run_file, run_file.filename().string());
+  const Hdf5Reader in(run_file, {.name = "clogflow run", .version = 1});
+  const Hdf5Handle root = object_handle(H5Oopen(in.root().id(), ".", H5P_DEFAULT));
+  try {
+    Copier(out_).copy(root.id(), out_.root().id(), run_file.filename().string(), run_file.string());
+  } catch (const Error& error) {
+    throw Error(fmt::format("{} (copying {})", error.what(), run_file.string()));
+  }
 }
 
 std::vector<std::filesystem::path> runs_in_pack(const std::filesystem::path& pack) {

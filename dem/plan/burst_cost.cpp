@@ -26,7 +26,7 @@ namespace {
 constexpr double map_time = 100e-6 / 5e-3;
 
 /// Standard deviation over mean of bursts between restarts and of first bursts, friction 0.6 three times: 0.42 to 0.52
-/// in six samples of 48 to 445 bursts at D/d = 2.13 and 2.5 (docs/reports/performance.md). Larger ones had 6 seeds,
+/// in six samples of 48 to 445 bursts at D/d = 2.13 and 2.5 (docs/reports/friction.md, end). Larger ones had 6 seeds,
 /// which show 0.26 to 0.46. [-]
 constexpr double measured_spread = 0.48;
 
