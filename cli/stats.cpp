@@ -128,7 +128,8 @@ void add_stats(CLI::App& app) {
   auto* verb = app.add_subcommand("stats", "bursts, arrests and fits from run files");
   auto job = std::make_shared<postprocess::StatisticsJob>();
   auto threshold = std::make_shared<std::string>();
-  verb->add_option("dirs", job->folders, "folders with run_*.h5, a sweep's folder of such folders, or packs of runs")->required();
+  verb->add_option("dirs", job->folders, "folders with run_*.h5, a sweep's folder of such folders, or packs of runs")
+      ->required();
   verb->add_option("--out", job->out, "folder for stats.json and the tables")->required();
   verb->add_option("--threshold", *threshold, "shortest lapse that is a clog, such as '3.3 ms' (default tau/2)");
   verb->add_option("--p-value", job->request.p_value_replicates, "bootstrap replicates of the goodness of fit, 0: none")

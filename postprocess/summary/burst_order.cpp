@@ -112,8 +112,7 @@ std::optional<BurstOrder> burst_order(const RunGroup& group, const Resampling& r
 Estimate dependent_estimate(const Quantity& quantity, const RunGroup& group, const Resampling& resampling) {
   std::vector<Totals> seeds;
   for (const SeedRecord& record : group.records) seeds.push_back(totals_of({record}, group.scale));
-  Estimate known =
-      wider(resampled(quantity, {seeds, resampling}), resampled(quantity, {blocks_of(group), resampling}));
+  Estimate known = wider(resampled(quantity, {seeds, resampling}), resampled(quantity, {blocks_of(group), resampling}));
   known.note = "bursts are not independent: the wider interval of resampled seeds and of blocks of successive bursts";
   return known;
 }

@@ -148,10 +148,9 @@ Estimate estimate(const Quantity& quantity, const ResampledSums& seeds) {
 }
 
 Estimate estimate_change(const Quantity& quantity, const ResampledSums& first, const ResampledSums& second) {
-  const Estimate change =
-      interval_of(quantity.value(second.whole) - quantity.value(first.whole), first, [&](std::size_t k) {
-        return quantity.value(second.replicates[k]) - quantity.value(first.replicates[k]);
-      });
+  const Estimate change = interval_of(
+      quantity.value(second.whole) - quantity.value(first.whole), first,
+      [&](std::size_t k) { return quantity.value(second.replicates[k]) - quantity.value(first.replicates[k]); });
   return is_spread_missing(change) ? without_interval(change) : change;
 }
 
