@@ -169,9 +169,11 @@ std::string inputs_hash(const Ensemble& ensemble) {
 
 void make_directory(const std::filesystem::path& directory) {
   std::error_code error;
-  require(!std::filesystem::is_regular_file(directory, error),
+  // A name that ends with a slash is none of a file.
+  const std::filesystem::path name = directory.has_filename() ? directory : directory.parent_path();
+  require(!std::filesystem::is_regular_file(name, error),
           "{}: is a file: runs go into a folder, and none is added to a pack (clog pack): give another --out",
-          directory.string());
+          name.string());
   std::filesystem::create_directories(directory, error);
   require(!error, "{}: cannot be made ({}): give another --out", directory.string(), error.message());
 }

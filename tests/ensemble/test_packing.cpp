@@ -163,7 +163,8 @@ TEST_F(Packs, ByTheProgram) {
   write(path("scene.toml"),
         "[particles]\ndiameter = \"1 mm\"\ndensity = \"1000 kg/m3\"\n[contact]\nyoungs_modulus = \"1 "
         "MPa\"\npoisson_ratio = 0.3\n"
-        "[box]\nmin = [\"0 m\", \"0 m\", \"0 m\"]\nmax = [\"1 cm\", \"1 cm\", \"1 cm\"]\n[time]\nend = \"1 ms\"\n");
+        "[box]\nmin = [\"0 m\", \"0 m\", \"0 m\"]\nmax = [\"1 cm\", \"1 cm\", \"1 cm\"]\n[time]\nend = \"1 ms\"\nstep "
+        "= \"1 us\"\n");
   EXPECT_EQ(call(clog + " run scene.toml --seeds 1 --out pack.h5"), 1);
   EXPECT_THAT(said(), HasSubstr("pack.h5: is a file: runs go into a folder, and none is added to a pack"));
 }
