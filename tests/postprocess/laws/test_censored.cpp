@@ -78,13 +78,13 @@ TEST(KaplanMeier, textbook_example) {
 }
 
 TEST(KaplanMeier, without_censoring_it_is_the_empirical_survival) {
-  const auto steps = kaplan_meier({{3, false}, {1, false}, {2, false}, {2, false}});
+  const auto steps = kaplan_meier(std::vector<Observation>{{3, false}, {1, false}, {2, false}, {2, false}});
   ASSERT_EQ(steps.size(), 3U);
   EXPECT_DOUBLE_EQ(steps[0].survival, 0.75);
   EXPECT_DOUBLE_EQ(steps[1].survival, 0.25);
   EXPECT_DOUBLE_EQ(steps[2].survival, 0.0);
   EXPECT_DOUBLE_EQ(steps[2].error, 0.0);
-  EXPECT_TRUE(kaplan_meier({}).empty());
+  EXPECT_TRUE(kaplan_meier(std::vector<Observation>{}).empty());
 }
 
 std::vector<Observation> whole(const std::vector<double>& values) {
