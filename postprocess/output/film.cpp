@@ -55,11 +55,10 @@ std::vector<std::size_t> chosen_snapshots(const RunData& run, const FilmJob& job
           run.snapshots.empty() ? std::string("the run has none")
                                 : fmt::format("it has {} from {:.6g} s to {:.6g} s", run.snapshots.size(),
                                               run.snapshots.front().time, run.snapshots.back().time));
+  const std::size_t share = (chosen.size() + most_film_frames - 1) / most_film_frames;
   require(chosen.size() <= most_film_frames,
-          "{}: {} snapshots, at most {} in a film: narrow --from and --to, or take every {}th with --every {}",
-          job.run.string(), chosen.size(), most_film_frames,
-          job.every * ((chosen.size() + most_film_frames - 1) / most_film_frames),
-          job.every * ((chosen.size() + most_film_frames - 1) / most_film_frames));
+          "{}: {} snapshots, at most {} in a film: narrow --from and --to, or take fewer with --every {}",
+          job.run.string(), chosen.size(), most_film_frames, static_cast<std::size_t>(job.every) * share);
   return chosen;
 }
 
