@@ -46,6 +46,7 @@ int main(int argc, char** argv) {
   clogflow::cli::add_fit(app);
   clogflow::cli::add_stats(app);
   clogflow::cli::add_report(app);
+  clogflow::cli::add_film(app);
   clogflow::cli::add_trade(app);
   clogflow::cli::add_pack(app);
   clogflow::cli::add_info(app);

@@ -18,6 +18,7 @@ void add_run(CLI::App& app);
 void add_stats(CLI::App& app);
 void add_fit(CLI::App& app);
 void add_report(CLI::App& app);
+void add_film(CLI::App& app);
 void add_trade(CLI::App& app);
 void add_pack(CLI::App& app);
 void add_info(CLI::App& app);

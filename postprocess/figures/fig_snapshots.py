@@ -1,5 +1,7 @@
 """A burst in three pictures: the arch before it, the burst, the arch after it (paper, figure 2)."""
 
+from dataclasses import dataclass
+
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import PatchCollection
@@ -12,12 +14,23 @@ import style
 from stats_files import suffix
 
 MM = 1e3
-SPEED_COLOURS = "RdYlBu_r"  # as in the paper: dark blue at rest, dark red fast
+SPEED_COLOURS = "viridis"   # dark at rest, light fast
 PANEL = 4.3                 # width of a panel [inch]
 
 
+@dataclass
+class Burst:
+    """One whose three moments were recorded."""
+    file: str
+    moments: list       # in the clog before, at the height, in the clog after [s]
+    titles: tuple       # of the three
+    inside: np.ndarray  # its passages [s]
+    quiet: tuple        # (start, end) of the clog before and of the one after [s]
+    tau: float          # [s]
+
+
 def candidates(statistics, index):
-    """(passages around the middle moment, file, moments) of every burst whose three moments were recorded."""
+    """Every burst whose three moments were recorded."""
     group = statistics.groups[index]
     tau = group["geometry"]["diameter"] / (group["geometry"]["mean_velocity"] or np.inf)
     files = {entry["seed"]: entry for entry in group["runs"]}
@@ -34,10 +47,17 @@ def candidates(statistics, index):
             inside = events.passage_times[events.passage_times >= row["start [s]"] - 1e-12][: int(row["s [1]"])]
             if len(inside) < 2:
                 continue
-            moments = pick(times, inside, quiet_span(events, inside, files[seed]["end"]), tau)
+            quiet = quiet_span(events, inside, files[seed]["end"])
+            moments = pick(times, inside, quiet, tau)
             if moments:
-                found.append((passing(inside, moments[1], tau), files[seed]["file"], moments))
+                titles = ("start" if row["kind"] == "first" else "arch", "burst", "new arch")
+                found.append(Burst(files[seed]["file"], moments, titles, inside, quiet, tau))
     return found
+
+
+def worth(burst):
+    """What is best shown: an arch before it, and then where it is densest."""
+    return burst.titles[0] == "arch", passing(burst.inside, burst.moments[1], burst.tau)
 
 
 def quiet_span(events, inside, end):
@@ -78,14 +98,19 @@ def choose(statistics, index):
     """The densest burst that was recorded; failing that three moments of the first run with snapshots."""
     found = candidates(statistics, index)
     if found:
-        _, file, moments = max(found, key=lambda entry: entry[0])
-        return file, moments, ("arch", "burst", "new arch")
+        burst = max(found, key=worth)
+        return burst.file, burst.moments, burst.titles
     for entry in statistics.groups[index]["runs"]:
         times = run_file.snapshot_times(entry["file"])
         if len(times):
             picked = [times[0], times[len(times) // 2], times[-1]][: len(times)]
             return entry["file"], picked, [""] * len(picked)
     return None, [], []
+
+
+def fastest(snapshots):
+    """End of the colours [m/s]: few particles are faster."""
+    return max([float(np.quantile(s.speed, 0.99)) for s in snapshots if len(s.speed)] + [1e-12])
 
 
 def draw_particles(axes, snapshot, norm):
@@ -97,6 +122,17 @@ def draw_particles(axes, snapshot, norm):
     circles.set_array(snapshot.speed[order] * MM)
     axes.add_collection(circles)
     return circles
+
+
+def say_time(axes, snapshot, group):
+    axes.set_title(f"$t$ = {snapshot.time / group['tau']:.2f} $\\tau$ = {snapshot.time * MM:.1f} ms", loc="right",
+                   fontweight="normal", fontsize=8.5)
+
+
+def speed_bar(figure, circles, beside):
+    bar = figure.colorbar(circles, ax=beside, fraction=0.035, pad=0.02, aspect=40)
+    bar.set_label("particle speed [mm/s]")
+    bar.outline.set_linewidth(0.6)
 
 
 def frame(axes, group, snapshots):
@@ -120,23 +156,19 @@ def draw(statistics, index):
         axes.set_axis_off()
         return figure
     snapshots = [run_file.read_snapshot(file, t) for t in moments]
-    fastest = max([float(np.quantile(s.speed, 0.99)) for s in snapshots if len(s.speed)] + [1e-12])
-    norm = Normalize(0, fastest * MM)
+    norm = Normalize(0, fastest(snapshots) * MM)
     figure, panels = plt.subplots(len(moments), 1, sharex=True, squeeze=False, layout="compressed")
     for axes, snapshot, title, letter in zip(panels[:, 0], snapshots, titles, "abc"):
         frame(axes, group, snapshots)
         circles = draw_particles(axes, snapshot, norm)
         axes.set_ylabel(r"$y$ [µm]")
         axes.set_title(f"{letter}  {title}".rstrip())
-        axes.set_title(f"$t$ = {snapshot.time / group['tau']:.2f} $\\tau$ = {snapshot.time * MM:.1f} ms", loc="right",
-                       fontweight="normal", fontsize=8.5)
+        say_time(axes, snapshot, group)
     # Panels of equal scale on both axes fill the page only if its height follows from their shape.
     (left, right), (low, high) = panels[0, 0].get_xlim(), panels[0, 0].get_ylim()
     figure.set_size_inches(PANEL + 1.5, len(moments) * (PANEL * (high - low) / (right - left) + 0.27) + 0.35)
     panels[-1, 0].set_xlabel(r"$x$ [µm]")
-    bar = figure.colorbar(circles, ax=panels[:, 0], fraction=0.035, pad=0.02, aspect=40)
-    bar.set_label("particle speed [mm/s]")
-    bar.outline.set_linewidth(0.6)
+    speed_bar(figure, circles, panels[:, 0])
     return figure
 
 

@@ -6,6 +6,8 @@ import json
 from pathlib import Path
 from string import Template
 
+import player
+
 RULED_OUT_BELOW = 0.1  # p-value, as Clauset et al.
 ROUGH_BELOW = 50       # values in a tail, ibid.
 
@@ -256,6 +258,18 @@ def fits(groups):
                    "when its own p exceeds 0.1.</p>")
 
 
+def film(statistics, paths):
+    """The player, its scripts and style; the still of the same run in its place where it cannot play. Or why there is none."""
+    parts, why = player.section(statistics)
+    if parts is None:
+        return {"film": f'<p class="quiet">{escaped(why)}</p>', "film_style": "", "film_script": ""}, []
+    frame, script, style = parts
+    still = [path for path in paths if path.stem == "snapshots"]
+    if still:
+        frame += f'<details class="still" open><summary>Three moments as a picture</summary>{figures(still)}</details>'
+    return {"film": f"<h2>A burst</h2>{frame}", "film_style": style, "film_script": script}, still
+
+
 def figures(paths):
     parts = []
     for path in paths:
@@ -329,11 +343,12 @@ def write(statistics, paths, folder):
     template = Template((Path(__file__).parent / "report.html").read_text(encoding="utf-8"))
     notes = [f"{g['label']}: {line}" for g in groups for line in g["notes"]]
     title = groups[0]["label"] if len(groups) == 1 else f"sweep of {len(groups)} scenes"
+    parts, shown = film(statistics, [path for path in paths if path.suffix == ".png"])
     page = template.substitute(
-        title=escaped(title),
+        parts, title=escaped(title),
         subtitle=escaped(f"clogflow {statistics.data['program']}, {sum(len(g['runs']) for g in groups)} runs"),
         notes="".join(map(note, notes)),
-        summary=summary(groups), necks=necks(groups), sweep=sweep(statistics), figures=figures(paths), halves=halves(groups), fits=fits(groups),
+        summary=summary(groups), necks=necks(groups), sweep=sweep(statistics), figures=figures([path for path in paths if path not in shown]), halves=halves(groups), fits=fits(groups),
         provenance=provenance(groups))
     target = Path(folder) / "report.html"
     target.write_text(page, encoding="utf-8")

@@ -23,6 +23,11 @@ class Snapshot:
     speed: np.ndarray     # [n] [m/s]
     radius: np.ndarray    # [n] [m]
 
+    def beyond(self, x):
+        """Those that lie downstream of a place [m]."""
+        kept = self.position[:, 0] >= x
+        return Snapshot(self.time, self.position[kept], self.speed[kept], self.radius[kept])
+
 
 @contextmanager
 def opened(path):
@@ -52,14 +57,20 @@ def snapshot_times(path):
         return file["snapshots/time"][:]
 
 
-def read_snapshot(path, time):
-    """The snapshot recorded closest to a time [s]."""
+def read_snapshots(path, places):
+    """Those with these numbers, the first is 0."""
     with opened(path) as file:
         group = file["snapshots"]
         times = group["time"][:]
-        k = int(np.argmin(np.abs(times - time)))
-        first = group["first"][:]
-        end = first[k + 1] if k + 1 < len(first) else len(group["id"])
-        rows = slice(int(first[k]), int(end))
-        speed = np.linalg.norm(group["velocity"][rows], axis=1)
-        return Snapshot(float(times[k]), group["position"][rows], speed, group["radius"][rows])
+        first = [*group["first"][:], len(group["id"])]
+
+        def one(k):
+            rows = slice(int(first[k]), int(first[k + 1]))
+            return Snapshot(float(times[k]), group["position"][rows], np.linalg.norm(group["velocity"][rows], axis=1), group["radius"][rows])
+
+        return [one(k) for k in places]
+
+
+def read_snapshot(path, time):
+    """The snapshot recorded closest to a time [s]."""
+    return read_snapshots(path, [int(np.argmin(np.abs(snapshot_times(path) - time)))])[0]

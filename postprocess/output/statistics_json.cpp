@@ -5,13 +5,11 @@
 
 #include "coupling/base/content_hash.hpp"
 #include "coupling/files/record_json.hpp"
-#include "coupling/geometry/channel_geometry.hpp"
-#include "coupling/geometry/stl_channel.hpp"
-#include "coupling/geometry/wall_outlines.hpp"
 #include "coupling/scene/readable_scene.hpp"
 #include "postprocess/events/sweep_axis.hpp"
 #include "postprocess/output/first_burst_json.hpp"
 #include "postprocess/output/fit_json.hpp"
+#include "postprocess/output/shape_json.hpp"
 #include "postprocess/output/trend_json.hpp"
 
 namespace clogflow::postprocess {
@@ -42,6 +40,7 @@ const json units{{"tau", "s"},
                  {"upper", "m"},
                  {"lower", "m"},
                  {"fluid", "m"},
+                 {"walls", "m"},
                  {"diameter", "m"},
                  {"feed_diameter", "m"},
                  {"passage_diameter", "m"},
@@ -130,36 +129,6 @@ json as_json(const SizeStatistics& sizes) {
   return all;
 }
 
-json geometry(const Scene& scene) {
-  json shape{{"neck_width", scene.geometry.neck_width},
-             {"neck_height", scene.geometry.neck_height},
-             {"channel_width", scene.geometry.channel_width},
-             {"channel_length", scene.geometry.channel_length},
-             {"neck_length", scene.geometry.neck_length},
-             {"half_angle", scene.geometry.half_angle},
-             {"present", scene.geometry.present && (scene.geometry.stl.empty() || is_stl_channel(scene.geometry))},
-             {"passage_plane", scene.passages.plane},
-             {"mean_velocity", scene.flow.mean_velocity},
-             {"diameter", scene.particles.diameter}};
-  if (is_stl_channel(scene.geometry)) {
-    // Half way up, or just beside it: at the middle itself lie corners.
-    const double height = 0.4999 * scene.geometry.neck_height;
-    for (const WallOutline& line : closed_outlines(cut_along(read_stl_channel(scene.geometry)->walls, height))) {
-      json corners = json::array();
-      for (const Vec2& corner : line.corners) corners.push_back({corner.x(), corner.y()});
-      shape["fluid"].push_back(corners);
-    }
-  } else if (shape["present"]) {
-    const ChannelOutline outline = channel_outline(scene.geometry);
-    for (const auto& [name, points] : {std::pair("upper", outline.upper), {"lower", outline.lower}})
-      for (const Vec2& point : points) shape[name].push_back({point.x(), point.y()});
-  }
-  if (scene.geometry.neck_width > 0) {
-    shape["neck_ratio"] = scene.geometry.neck_width / scene.particles.diameter;
-  }
-  return shape;
-}
-
 /// Of one neck of several: what it alone let pass.
 json neck_json(const std::vector<SeedRecord>& records, const GroupStatistics& numbers) {
   json runs = json::array(), quantities = json::object();
@@ -188,7 +157,7 @@ json as_json(const RunGroup& group, const GroupStatistics& numbers) {
   json entry{{"label", numbers.label},
              {"scene", readable_scene(group.scene_text)},
              {"scene_hash", content_hash(group.scene_text)},
-             {"geometry", geometry(group.scene)},
+             {"geometry", shape_json(group.scene)},
              {"protocol", key_value(group.lines, "unclog.protocol").text},
              {"tau", group.scale.tau},
              {"t_min", group.scale.threshold},
