@@ -252,16 +252,11 @@ void estimate_cost(const Scene& s, const Model& model, Plan& plan) {
       if (term.term == cost.term) term.share = cost.instructions / each;
 }
 
-/// A burst is mostly flow without friction, in which lists are renewed more often than in the packs that the costs of
-/// terms were counted in: 1.3 times the time on a machine with nothing else to do, up to 1.85 on one that others use
-/// too (docs/reports/friction.md). [-]
-constexpr double flow_slowness = 1.5;
-
 void estimate_burst(const Scene& s, Plan& plan) {
   plan.burst = expected_burst(s);
   if (!plan.burst.unknown.empty()) return;
   plan.burst_steps = plan.burst.simulated() / plan.dt * plan.particles;
-  plan.burst_instructions = flow_slowness * plan.burst_steps *
+  plan.burst_instructions = plan.burst_steps *
                             instructions_per_particle_step(s, s.flow.mean_velocity * plan.dt / s.particles.diameter);
 }
 
