@@ -149,7 +149,7 @@ function show(k) {
     place.array[4 * p + 3] = columns > 4 ? rows[row + 4] * film.radius : film.radius;
   }
   place.needsUpdate = shade.needsUpdate = true;
-  spheres.maxInstancedCount = count;
+  spheres.maxInstancedCount = spheres.instanceCount = count;  // one of them, by the version of three.js
   slider.value = frame;
   const words = "t = " + film.times[frame] + " ms" + (film.stages[frame] ? ", " + film.stages[frame] : "");
   slider.setAttribute("aria-valuetext", words);

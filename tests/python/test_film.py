@@ -7,6 +7,7 @@ import subprocess
 import unittest
 
 import fixtures
+import h5py
 import matplotlib.image
 import numpy as np
 
@@ -59,6 +60,18 @@ class Film(unittest.TestCase):
         self.refused("nothing.h5 (no such file)", "nothing.h5", "--out", "none")
         self.refused("flow.h5", "flow.h5", "--out", "none")
         self.assertFalse((fixtures.folder() / "none").exists())
+
+    def test_bursts_have_snapshots_of_their_own(self):
+        subprocess.run([fixtures.PROGRAM, "run", "scene.toml", "--flow", "flow.h5", "--out", "bursts", "--seeds", "3", "--set", "time.end=12 ms",
+                        "--set", "output.burst_snapshots=50 us", "--set", "output.snapshot_interval=0 s", "--set", "output.checkpoint_interval=60 s"],
+                       cwd=fixtures.folder(), check=True, capture_output=True)
+        with h5py.File(fixtures.folder() / "bursts" / "run_0003.h5") as file:
+            snapshots, passages, releases = (file[name][:] for name in ("snapshots/time", "passages/time", "releases/off"))
+        within = snapshots[1:-1]
+        begins = min([*passages, *releases])
+        self.assertGreater(len(within), 20)
+        self.assertAlmostEqual(within[0], begins, delta=5e-6)
+        np.testing.assert_allclose(np.diff(within[:50]), 50e-6, atol=5e-6)
 
     def test_too_many_frames(self):
         subprocess.run([fixtures.PROGRAM, "run", "scene.toml", "--flow", "flow.h5", "--out", "often", "--seeds", "3", "--set", "time.end=1.3 ms",
