@@ -167,7 +167,7 @@ function step(by) { play(false); show((frame + by + frames) % frames); }
 function tick(now) {
   if (playing && now >= due) {
     if (due) show((frame + 1) % frames);
-    due = now + (frame === frames - 1 ? 1200 : 1000 / film.rate);
+    due = now + (frame === 0 || frame === frames - 1 ? 1000 : 1000 / film.rate);  // both arches are worth a look
   }
   if (dirty) { dirty = false; draw(); }
   requestAnimationFrame(tick);

@@ -225,10 +225,11 @@ TEST(SceneRefusals, OfALaboratoryThatDisagrees) {
               HasSubstr("(must be smaller than the box along z"));
   EXPECT_THAT(refused(channel, {min, R"(box.max=["1 m","1 m","1 m"])"}), HasSubstr("(each gives walls: choose one)"));
   EXPECT_THAT(refused(channel, {"flow.source=none"}), HasSubstr("(nothing carries particles away from it"));
-  EXPECT_THAT(refused(channel, {"flow.source=none", "inlet.enabled=false", "unclog.protocol=none",
-                                "output.burst_snapshots=1 ms"}),
-              HasSubstr("output.burst_snapshots = 1 ms (needs a flow: a burst is over when nothing has passed for d / "
-                        "v)"));
+  EXPECT_THAT(
+      refused(channel,
+              {"flow.source=none", "inlet.enabled=false", "unclog.protocol=none", "output.burst_snapshots=1 ms"}),
+      HasSubstr("output.burst_snapshots = \"1 ms\" (needs a flow: a burst is over when nothing has passed for d / "
+                "v)"));
 }
 
 TEST(SceneRefusals, OfWhatIsMissing) {
