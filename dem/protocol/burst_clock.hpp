@@ -5,10 +5,10 @@
 
 namespace clogflow {
 
-/// A burst begins with a passage, with a release and with its end, and is over when nothing has passed for a while. Its first 50 snapshots are
-/// one interval apart, the next 25 two intervals, the next 25 four, ...: a burst of n intervals has n + 1, or about
-/// 50 + 25 log2(n / 50) where n is larger. So a film has frames enough of any burst, and a run that never clogs stays
-/// small.
+/// A burst begins with a passage, with a release and with its end, and is over when nothing has passed for a while. Its
+/// first 50 snapshots are one interval apart, the next 25 two intervals, the next 25 four, ...: a burst of n intervals
+/// has n + 1, or about 50 + 25 log2(n / 50) where n is larger. So a film has frames enough of any burst, and a run that
+/// never clogs stays small.
 class BurstClock {
 public:
   /// \param interval  [s]; 0: no snapshots
