@@ -53,8 +53,8 @@ struct RunData {
     std::vector<double> pressure_drop;  ///< over the whole channel; empty where it does not drive the flow [Pa]
   } series;
 
-  /// The state at one time; always at the start and at the end, and every output.snapshot_interval.
-  /// Vectors are interleaved [n][3].
+  /// The state at one time; always at the start and at the end, every output.snapshot_interval, and
+  /// during a burst as output.burst_snapshots says. Vectors are interleaved [n][3].
   struct Snapshot {
     double time = 0;  ///< [s]
     std::vector<std::int64_t> id;

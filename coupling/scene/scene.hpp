@@ -192,6 +192,7 @@ struct Scene {
 
   struct Output {
     double snapshot_interval = 0;    ///< [s]; 0: none
+    double burst_snapshots = 0;      ///< between the first snapshots of a burst [s]; 0: none of their own
     double series_interval = 0;      ///< [s]; default tau / 10
     double checkpoint_interval = 0;  ///< of wall-clock time [s]; default 60 s
   } output;

@@ -191,6 +191,7 @@ std::vector<Key> make_keys() {
       NUMBER(passages.plane, length, any, "x that a particle must cross; default the middle of the neck; 0 in a box or between walls from a file: none"),
 
       NUMBER(output.snapshot_interval, time, non_negative, "default 0: no snapshots"),
+      NUMBER(output.burst_snapshots, time, positive, "between the first 50 snapshots of each burst, then ever rarer; default: none beside those of snapshot_interval"),
       NUMBER(output.series_interval, time, positive, "default a tenth of the Stokes time"),
       NUMBER(output.checkpoint_interval, time, positive, "of wall-clock time; default 60 s"),
 

@@ -256,8 +256,8 @@ void estimate_burst(const Scene& s, Plan& plan) {
   plan.burst = expected_burst(s);
   if (!plan.burst.unknown.empty()) return;
   plan.burst_steps = plan.burst.simulated() / plan.dt * plan.particles;
-  plan.burst_instructions = plan.burst_steps *
-                            instructions_per_particle_step(s, s.flow.mean_velocity * plan.dt / s.particles.diameter);
+  plan.burst_instructions =
+      plan.burst_steps * instructions_per_particle_step(s, s.flow.mean_velocity * plan.dt / s.particles.diameter);
 }
 
 void judge_flow(const Scene& s, Plan& plan) {

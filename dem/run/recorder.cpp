@@ -47,7 +47,8 @@ std::vector<Crossing> new_crossings(RunState& state) {
 
 }  // namespace
 
-Recorder::Recorder(const Scene& scene, std::uint64_t seed) {
+Recorder::Recorder(const Scene& scene, std::uint64_t seed)
+    : bursts_(scene.output.burst_snapshots, scene.stokes_time()) {
   data.seed = seed;
   data.scene_text = effective_scene(scene);
 }
@@ -60,10 +61,11 @@ void Recorder::look(RunState& state) {
     sample_series(state);
     next_series_ += output.series_interval;
   }
-  if (state.clock.step() == 0 || (output.snapshot_interval > 0 && now >= next_snapshot_)) {
-    if (state.clock.step() < state.model.steps) snapshot(state);
-    next_snapshot_ += output.snapshot_interval;
-  }
+  const bool regular = state.clock.step() == 0 || (output.snapshot_interval > 0 && now >= next_snapshot_);
+  const bool of_burst = bursts_.due(now);
+  if ((regular || of_burst) && state.clock.step() < state.model.steps) snapshot(state);
+  if (regular) next_snapshot_ += output.snapshot_interval;
+  if (of_burst) bursts_.took();
 }
 
 void Recorder::sample_series(RunState& state) {
@@ -127,6 +129,7 @@ void Recorder::find_passages(RunState& state) {
       data.passages.species.push_back(p.species[i]);
     }
     state.clog_watch.passed(state.flow_time());
+    bursts_.flows(state.time());
   }
 }
 
@@ -150,9 +153,15 @@ void Recorder::begin_release(const RunState& state) {
   data.releases.on.push_back(state.model.scene.time.end);
   data.releases.largest_speed.push_back(clog.largest_speed);
   data.releases.position.push_back(clog.position);
+  bursts_.flows(state.time());
 }
 
-void Recorder::end_release(const RunState& state) { data.releases.on.back() = state.time(); }
+void Recorder::end_release(const RunState& state) {
+  data.releases.on.back() = state.time();
+  // The burst that counts begins now, in the midst of what the release set free.
+  bursts_.restart();
+  bursts_.flows(state.time());
+}
 
 void Recorder::change_series_interval(const RunState& state) {
   next_series_ = next_due(state, state.model.scene.output.series_interval);
@@ -162,6 +171,6 @@ void Recorder::change_snapshot_interval(const RunState& state) {
   next_snapshot_ = next_due(state, state.model.scene.output.snapshot_interval);
 }
 
-bool Recorder::has_valid_clocks() const { return finite_from_zero(next_series_, next_snapshot_); }
+bool Recorder::has_valid_clocks() const { return finite_from_zero(next_series_, next_snapshot_) && bursts_.is_valid(); }
 
 }  // namespace clogflow

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "coupling/files/run_file.hpp"
+#include "dem/protocol/burst_clock.hpp"
 #include "dem/run/run_state.hpp"
 
 namespace clogflow {
@@ -40,7 +41,10 @@ public:
   void end_release(const RunState& state);
 
   /// Times count from 0 again.
-  void restart() { next_series_ = next_snapshot_ = 0; }
+  void restart() {
+    next_series_ = next_snapshot_ = 0;
+    bursts_.restart();
+  }
 
   /// Another interval than that of the run so far: goes on as if things had been recorded so from the start.
   void change_series_interval(const RunState& state);
@@ -51,12 +55,14 @@ public:
   template <class Archive>
   void exchange(Archive& archive) {
     archive(data, next_series_, next_snapshot_);
+    if (bursts_.on()) archive(bursts_);
   }
 
 private:
   void sample_series(RunState& state);
 
   double next_series_ = 0, next_snapshot_ = 0;  // when due [s]
+  BurstClock bursts_;
 };
 
 }  // namespace clogflow

@@ -149,7 +149,7 @@ function show(k) {
     place.array[4 * p + 3] = columns > 4 ? rows[row + 4] * film.radius : film.radius;
   }
   place.needsUpdate = shade.needsUpdate = true;
-  spheres.maxInstancedCount = count;
+  spheres.maxInstancedCount = spheres.instanceCount = count;  // one of them, by the version of three.js
   slider.value = frame;
   const words = "t = " + film.times[frame] + " ms" + (film.stages[frame] ? ", " + film.stages[frame] : "");
   slider.setAttribute("aria-valuetext", words);
@@ -167,7 +167,7 @@ function step(by) { play(false); show((frame + by + frames) % frames); }
 function tick(now) {
   if (playing && now >= due) {
     if (due) show((frame + 1) % frames);
-    due = now + (frame === frames - 1 ? 1200 : 1000 / film.rate);
+    due = now + (frame === 0 || frame === frames - 1 ? 1000 : 1000 / film.rate);  // both arches are worth a look
   }
   if (dirty) { dirty = false; draw(); }
   requestAnimationFrame(tick);

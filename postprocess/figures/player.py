@@ -138,9 +138,9 @@ def film(group, file, moments):
 
 
 def caption(group, data):
-    often = "each frame is a snapshot of the run, and nothing is put between two of them"
-    return (f"{group['label']}: {len(data['counts'])} frames of one run; {often}, so steps of time may differ. Drag turns, Shift and drag moves; after a click "
-            "the wheel zooms and keys work: arrows turn, + and − zoom, space plays, comma and full stop step, 0 resets, Esc lets go.")
+    walls = "" if data["walls"] or not group["geometry"]["present"] else " The walls, of too many triangles for a page, are left out."
+    return (f"{group['label']}: {len(data['counts'])} snapshots of one run; the time between two of them may differ. Drag turns, Shift and drag moves; after a click "
+            "the wheel zooms and keys work: arrows turn, + and − zoom, space plays, comma and full stop step, 0 resets, Esc lets go." + walls)
 
 
 def section(statistics):

@@ -17,8 +17,7 @@ json corners_of(const Walls& walls) {
   json numbers = json::array();
   for (const Triangle& triangle : walls)
     for (const Vec3& corner : triangle.corner)
-      for (const double c : {corner.x, corner.y, corner.z})
-        numbers.push_back(std::round(c * per_metre) / per_metre);
+      for (const double c : {corner.x, corner.y, corner.z}) numbers.push_back(std::round(c * per_metre) / per_metre);
   return numbers;
 }
 

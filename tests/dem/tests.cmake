@@ -13,7 +13,7 @@ clog_tests(test_against_scalar
   SOURCES dem/kernels/test_against_scalar.cpp
   LIBRARIES clog_dem LABELS unit)
 clog_tests(test_dem_parts
-  SOURCES dem/run/test_passages.cpp dem/protocol/test_clog_watch.cpp dem/state/test_initial_particles.cpp
+  SOURCES dem/run/test_passages.cpp dem/protocol/test_burst_clock.cpp dem/protocol/test_clog_watch.cpp dem/state/test_initial_particles.cpp
           dem/contact/test_stl.cpp dem/contact/test_size_levels.cpp
   LIBRARIES clog_dem LABELS unit)
 clog_tests(test_fluid_parts

@@ -105,7 +105,7 @@ TEST(ReadOnly, AFileInThePlaceOfTheDirectory) {
   write_file(job.path("out"), "not a directory");
   const Program program = job.start("out", "1");
   EXPECT_EQ(program.wait(), 1);
-  EXPECT_THAT(program.said(), HasSubstr("cannot be made"));
+  EXPECT_THAT(program.said(), HasSubstr("out: is a file: runs go into a folder"));
   EXPECT_EQ(lines(program.said()), 1) << program.said();
 }
 

@@ -7,6 +7,7 @@ import subprocess
 import unittest
 
 import fixtures
+import h5py
 import matplotlib.image
 import numpy as np
 
@@ -60,13 +61,27 @@ class Film(unittest.TestCase):
         self.refused("flow.h5", "flow.h5", "--out", "none")
         self.assertFalse((fixtures.folder() / "none").exists())
 
+    def test_bursts_have_snapshots_of_their_own(self):
+        subprocess.run([fixtures.PROGRAM, "run", "scene.toml", "--flow", "flow.h5", "--out", "bursts", "--seeds", "3", "--set", "time.end=8 ms", "--set", "particles.diameter=40 um",
+                        "--set", "output.burst_snapshots=50 us", "--set", "output.snapshot_interval=0 s", "--set", "output.checkpoint_interval=60 s"],
+                       cwd=fixtures.folder(), check=True, capture_output=True)
+        with h5py.File(fixtures.folder() / "bursts" / "run_0003.h5") as file:
+            snapshots, off, on = (file[name][:] for name in ("snapshots/time", "releases/off", "releases/on"))
+        self.assertEqual((snapshots[1], off[0] > 3e-3), (off[0], True))  # nothing between the start and the release
+        for begin, end in ((off[0], on[0]), (on[0], on[0] + 1.5e-3)):  # friction off, and on again
+            within = snapshots[(snapshots >= begin) & (snapshots < end)]
+            self.assertLess(len(within), 50)
+            self.assertAlmostEqual(len(within), (end - begin) / 50e-6, delta=1.5)
+            self.assertEqual(within[0], begin)
+            np.testing.assert_allclose(np.diff(within), 50e-6, atol=5e-6)
+
     def test_too_many_frames(self):
-        subprocess.run([fixtures.PROGRAM, "run", "scene.toml", "--flow", "flow.h5", "--out", "often", "--seeds", "3", "--set", "time.end=1.3 ms",
-                        "--set", "output.snapshot_interval=2 us", "--set", "output.checkpoint_interval=60 s"],
+        subprocess.run([fixtures.PROGRAM, "run", "scene.toml", "--flow", "flow.h5", "--out", "often", "--seeds", "3", "--set", "time.end=6 ms",
+                        "--set", "output.snapshot_interval=6 us", "--set", "output.checkpoint_interval=60 s"],
                        cwd=fixtures.folder(), check=True, capture_output=True)
         made = film("often/run_0003.h5", "--out", "none")
         self.assertEqual(made.returncode, 1)
-        self.assertRegex(made.stderr, r"^clog: often/run_0003.h5: 6\d\d snapshots, at most 600 in a film: narrow --from and --to, "
+        self.assertRegex(made.stderr, r"^clog: often/run_0003.h5: \d{3,4} snapshots, at most 600 in a film: narrow --from and --to, "
                                       r"or take fewer with --every 2\n$")
 
 

@@ -3,8 +3,11 @@
 CLOG_SCREENSHOTS=FOLDER keeps what was seen.
 """
 
+import base64
+import json
 import os
 import pathlib
+import re
 import subprocess
 import unittest
 
@@ -19,7 +22,7 @@ FRAME = "+document.getElementById('film').dataset.frame"
 PASSAGES = np.array([2e-4, 3e-4, *np.linspace(7.4e-3, 9.4e-3, 9)])
 
 
-def make_page(name, *more):
+def make_page(name, *more, mixed=False):
     """A run of the real program with passages that are made up, so that it holds a burst with snapshots before, in and after it."""
     folder = fixtures.folder() / name
     words = {"unclog.protocol": "none", "time.end": "20 ms", "output.snapshot_interval": "0.25 ms", "output.checkpoint_interval": "60 s"}
@@ -33,9 +36,18 @@ def make_page(name, *more):
             del file[f"passages/{column}"]
         for column, (values, unit) in columns.items():
             file.create_dataset(f"passages/{column}", data=values).attrs["unit"] = np.bytes_(unit)
+        if mixed:
+            file["snapshots/radius"][:] *= np.where(file["snapshots/id"][:] % 2, 0.5, 1)
     made = subprocess.run([fixtures.PROGRAM, "report", folder], capture_output=True, text=True, check=False, env={**os.environ, **dict(more)})
     assert made.returncode == 0, made.stdout + made.stderr
     return folder / "report" / "report.html"
+
+
+def film_of(page):
+    """What the player reads, and its rows: one a particle and frame."""
+    text = page.read_text(encoding="utf-8")
+    film = json.loads(re.search(r'id="film-data">(.*?)</script>', text, re.S).group(1))
+    return film, np.frombuffer(base64.b64decode(film["data"]), dtype="<u2").reshape(-1, len(film["columns"]))
 
 
 def keep(name, png):
@@ -128,6 +140,23 @@ class Page(unittest.TestCase):
         self.assertTrue(self.browser.value("document.getElementById('film').hidden && document.querySelector('details.still').open"))
         self.assertGreater(self.browser.value("document.querySelector('details.still img').naturalWidth"), 300)
         self.assertEqual(self.browser.complaints(), [])
+
+    def test_frames_are_snapshots_of_the_run(self):
+        for page, mixed in ((self.page, False), (make_page("mixed", mixed=True), True)):
+            film, rows = film_of(page)
+            with h5py.File(page.parents[1] / "run_0003.h5") as file:
+                times, first = file["snapshots/time"][:], file["snapshots/first"][:]
+                position, velocity, radius = (file[f"snapshots/{name}"][:] for name in ("position", "velocity", "radius"))
+            ends = np.cumsum(film["counts"])
+            self.assertEqual(film["columns"], ["x", "y", "z", "speed"] + ["radius"] * mixed)
+            for frame in (0, len(ends) // 2, len(ends) - 1):
+                k = int(np.argmin(np.abs(times * 1e3 - float(film["times"][frame]))))
+                mine, theirs = rows[ends[frame] - film["counts"][frame]: ends[frame]], slice(first[k], first[k + 1])
+                np.testing.assert_allclose(mine[:, :3] * film["step"] + film["low"], 1e6 * position[theirs], atol=0.01)  # [um]
+                speed = 1e3 * np.linalg.norm(velocity[theirs], axis=1)
+                np.testing.assert_allclose(mine[:, 3] / 65535 * film["fastest"], np.minimum(speed, film["fastest"]), atol=1e-3)
+                drawn = mine[:, 4] * film["radius"] if mixed else np.full(len(mine), film["radius"])
+                np.testing.assert_allclose(drawn, 1e6 * radius[theirs], atol=0.01)
 
     def test_size_and_what_is_loaded(self):
         text = self.page.read_text(encoding="utf-8")

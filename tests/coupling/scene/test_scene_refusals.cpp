@@ -115,6 +115,7 @@ TEST(SceneRefusals, OfValuesThatDisagree) {
       {"flow.oscillation.shape=square", "flow.oscillation.shape = \"square\" (needs flow.oscillation.amplitude"},
       {"flow.oscillation.shape=saw", "(must be \"sine\" or \"square\")"},
       {"time.step=2 s", "(must not exceed time.end"},
+      {"output.burst_snapshots=0 s", "(must be > 0)"},
   };
   for (const auto& [override, reason] : cases) {
     // The neck that outgrows its channel keeps the channel's width.
@@ -224,6 +225,11 @@ TEST(SceneRefusals, OfALaboratoryThatDisagrees) {
               HasSubstr("(must be smaller than the box along z"));
   EXPECT_THAT(refused(channel, {min, R"(box.max=["1 m","1 m","1 m"])"}), HasSubstr("(each gives walls: choose one)"));
   EXPECT_THAT(refused(channel, {"flow.source=none"}), HasSubstr("(nothing carries particles away from it"));
+  EXPECT_THAT(
+      refused(channel,
+              {"flow.source=none", "inlet.enabled=false", "unclog.protocol=none", "output.burst_snapshots=1 ms"}),
+      HasSubstr("output.burst_snapshots = \"1 ms\" (needs a flow: a burst is over when nothing has passed for d / "
+                "v)"));
 }
 
 TEST(SceneRefusals, OfWhatIsMissing) {

@@ -12,6 +12,7 @@
 
 #include "coupling/base/child_process.hpp"
 #include "coupling/base/source_folder.hpp"
+#include "coupling/geometry/stl_channel.hpp"
 #include "postprocess/output/report.hpp"
 #include "postprocess/output/statistics_files.hpp"
 #include "tests/postprocess/synthetic_ensemble.hpp"
@@ -103,6 +104,11 @@ TEST_F(Report, walls_from_a_file_are_drawn) {
     const auto shape = nlohmann::json::parse(text_of(here_ / "stats" / "stats.json"))["groups"][0]["geometry"];
     EXPECT_TRUE(shape["present"]) << scene;
     ASSERT_EQ(shape["fluid"].size(), 1u) << scene;
+    const Walls& walls = read_stl_channel(parse_scene(run.scene_text, scene).geometry)->walls;
+    ASSERT_EQ(shape["walls"].size(), 9 * walls.size()) << scene;
+    for (const std::size_t k : {std::size_t{0}, walls.size() / 2, walls.size() - 1})
+      EXPECT_NEAR(shape["walls"][9 * k + 5].get<double>(), walls[k].corner[1].z, 0.51e-10) << scene;
+    EXPECT_THAT(page(), AllOf(HasSubstr("id=\"film-data\""), HasSubstr("{\"triangles\": "))) << scene;
     EXPECT_THAT(text_of(here_ / "report" / "snapshots.png"), StartsWith("\x89PNG")) << scene;
     // What is filled is wall: between the two necks, beside the pipe's; not within them, nor in the chamber.
     std::ofstream(here_ / "walls.py") << R"(
