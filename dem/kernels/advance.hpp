@@ -1,7 +1,7 @@
 // Drag, kick and drift.
 #pragma once
 
-#include "dem/kernels/lanes.hpp"
+#include "dem/kernels/gather.hpp"
 #include "dem/physics/drag.hpp"
 
 namespace clogflow {

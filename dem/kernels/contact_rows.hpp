@@ -1,7 +1,7 @@
 // The rows of touching and watched candidates: which begin to touch, which cease.
 #pragma once
 
-#include "dem/kernels/lanes.hpp"
+#include "dem/kernels/gather.hpp"
 
 namespace clogflow {
 namespace {

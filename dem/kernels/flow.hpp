@@ -1,7 +1,7 @@
 // Fluid velocity and drag coefficient at every particle, by the nearest point of the grid.
 #pragma once
 
-#include "dem/kernels/lanes.hpp"
+#include "dem/kernels/gather.hpp"
 
 namespace clogflow {
 namespace {

@@ -49,7 +49,8 @@ struct PairPlace {
   Vector<Real> apart;  ///< x_i - x_j [m]
   Real radius_i, radius_j;
 
-  Real distance() const { return sqrt(dot(apart, apart)); }
+  Real distance() const { return sqrt(distance2()); }
+  Real distance2() const { return dot(apart, apart); }
 
   /// Above zero where the spheres overlap. One expression for all who ask, so that they agree to the bit.
   Real overlap(const Real& distance) const { return radius_i + radius_j - distance; }
@@ -57,11 +58,12 @@ struct PairPlace {
   Real effective_radius() const { return reduced(radius_i, radius_j); }
 
   /// The contact, whose point lies in the middle of the overlap: so the arms sum up to the distance.
-  /// \param overlap  as the law may be given it: not below the least at which it acts [m]
-  /// \param mass     m* [kg]
-  ContactGeometry<Real> contact(const Real& distance, const Real& overlap, const Real& mass) const {
+  /// \param per_distance  1 / distance [1/m]
+  /// \param overlap       as the law may be given it: not below the least at which it acts [m]
+  /// \param mass          m* [kg]
+  ContactGeometry<Real> contact(const Real& per_distance, const Real& overlap, const Real& mass) const {
     const Real half(0.5);
-    return {(Real(1.0) / distance) * apart, overlap, effective_radius(), mass, radius_i - half * overlap,
+    return {per_distance * apart,     overlap, effective_radius(), mass, radius_i - half * overlap,
             radius_j - half * overlap};
   }
 };

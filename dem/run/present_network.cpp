@@ -16,7 +16,7 @@ void add_pairs(NetworkLimit& network, const RunState& state) {
     const double distance = place.distance();
     const double overlap = std::max(place.overlap(distance), -laws.pair.reach(place.effective_radius()));
     network.add_contact(
-        i, j, laws.pair.modes(laws.pair_terms, place.contact(distance, overlap, reduced(p[i].mass, p[j].mass))));
+        i, j, laws.pair.modes(laws.pair_terms, place.contact(1 / distance, overlap, reduced(p[i].mass, p[j].mass))));
   });
 }
 

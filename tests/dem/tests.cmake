@@ -1,5 +1,5 @@
 clog_tests(test_physics
-  SOURCES dem/physics/test_material_pair.cpp dem/physics/test_contact_laws.cpp dem/physics/test_fluid_laws.cpp dem/physics/test_drag_laws.cpp
+  SOURCES dem/physics/test_material_pair.cpp dem/physics/test_contact_laws.cpp dem/physics/test_fluid_laws.cpp dem/physics/test_number.cpp dem/physics/test_drag_laws.cpp
           dem/physics/test_other_contact_laws.cpp
   LIBRARIES clog_dem LABELS unit)
 clog_tests(test_few_particles
