@@ -2,6 +2,7 @@
 //   build/release/bin/bench_step [--benchmark_filter=...]
 #include <benchmark/benchmark.h>
 
+#include <fstream>
 #include <map>
 #include <memory>
 
@@ -11,15 +12,29 @@
 namespace clogflow::test {
 namespace {
 
+/// Memory that this process has now, or had at most: a line of /proc/self/status [bytes].
+double memory(const std::string& line) {
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;)
+    if (double kilobytes = 0; word == line && status >> kilobytes) return 1024 * kilobytes;
+  return 0;
+}
+
+/// What the pack made last took to make, and what it holds [bytes].
+double held = 0, taken = 0;
+
 /// A settled pack of 1000 times `across` times `up` spheres, made once and kept for all benchmarks.
 Simulation& pack(int across, int up, int threads = 1) {
   static std::map<std::array<int, 3>, std::unique_ptr<Simulation>> packs;
   auto& found = packs[{across, up, threads}];
   if (!found) {
     const ScratchFile file(as_csv(tiled_particles(across, up)));
+    const double before = memory("VmRSS:");
     found = std::make_unique<Simulation>(tiled_box(across, up, file.name()), nullptr, 1, threads);
     for (int k = 0; k < 200; ++k) found->compute_forces(), found->advance();
     found->compute_forces();
+    held = memory("VmRSS:") - before;
+    taken = memory("VmHWM:") - before;
   }
   return *found;
 }
@@ -37,6 +52,8 @@ void whole_step(benchmark::State& state) {
   }
   const std::size_t particles = simulation.particles().size();
   count(state, particles);
+  state.counters["held_per_particle"] = held / static_cast<double>(particles);
+  state.counters["taken_per_particle"] = taken / static_cast<double>(particles);
   state.counters["particles"] = static_cast<double>(particles);
   state.counters["bytes_per_particle"] = static_cast<double>(simulation.save().size()) / static_cast<double>(particles);
 }
