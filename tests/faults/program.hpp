@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <thread>
 
 #include "tests/faults/small_channel.hpp"
@@ -16,6 +17,12 @@ namespace clogflow::test {
 inline std::string text_of(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Kills of a test: so many, times what `./Alltest --nightly kills` asks for.
+inline int kills(int usual) {
+  const char* factor = std::getenv("CLOG_TEST_KILLS");
+  return usual * (factor ? std::max(1, std::atoi(factor)) : 1);
 }
 
 /// One call of `clog`, its output in a log file.

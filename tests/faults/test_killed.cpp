@@ -24,20 +24,20 @@ std::string saved_stage(const SmallJob& job, const std::string& out, std::uint64
   return simulation.data().series.time.empty() ? "filling" : "running";
 }
 
-TEST(Killed, FiftyTimesWithTheSameBits) {
+TEST(Killed, ManyTimesWithTheSameBits) {
   const SmallJob job({"time.end=60 ms"});
   // A whole seed sets the measure, so that a slow machine gets as far between two kills.
   const auto before = std::chrono::steady_clock::now();
   ASSERT_EQ(job.complete("undisturbed", "1"), "");
   const std::chrono::duration<double, std::milli> whole = std::chrono::steady_clock::now() - before;
   const unsigned longest = std::max(40u, static_cast<unsigned>(0.6 * whole.count()));
-  constexpr int kills = 50;
+  const int wanted = kills(16);
   std::mt19937 random(2024);
   std::map<std::string, int> stages;
   int killed = 0;
   std::uint64_t seed = 1;
   // From 0: in the start, while reading, while writing; to where a seed or two is done.
-  for (int call = 0; call < 500 && killed < kills; ++call) {
+  for (int call = 0; call < 500 && killed < wanted; ++call) {
     const Program program = job.start("killed", "1-99");
     sleep_ms(static_cast<int>(random() % longest));
     program.send(SIGKILL);
@@ -46,9 +46,9 @@ TEST(Killed, FiftyTimesWithTheSameBits) {
     while (std::filesystem::exists(job.path("killed") / run_file_name(seed))) ++seed;
     ++stages[saved_stage(job, "killed", seed)];
   }
-  ASSERT_EQ(killed, kills) << "the job was done before";
-  EXPECT_GE(stages["filling"], 3);
-  EXPECT_GE(stages["running"], 3);
+  ASSERT_EQ(killed, wanted) << "the job was done before";
+  EXPECT_GE(stages["filling"], 1);
+  EXPECT_GE(stages["running"], 1);
   const std::string met = fmt::format("1-{}", seed);
   ASSERT_EQ(job.complete("killed", met), "");
   ASSERT_EQ(job.complete("undisturbed", met), "");
