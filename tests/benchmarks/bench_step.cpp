@@ -157,6 +157,13 @@ void drag_lookup(benchmark::State& state) {
 }
 BENCHMARK(drag_lookup)->Unit(benchmark::kMicrosecond);
 
+/// A round of two threads that have nothing to do.
+void barrier(benchmark::State& state) {
+  Team team(2);
+  for (auto _ : state) team.each(2, [](int) {});
+}
+BENCHMARK(barrier)->UseRealTime()->Unit(benchmark::kMicrosecond);
+
 /// A look at the limit of the contacts: the bound of every particle, and the whole network where the step is near it.
 void limit_bound(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(pack(1, 1).network().bound().step);
