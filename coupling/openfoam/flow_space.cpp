@@ -1,5 +1,6 @@
 #include "coupling/openfoam/flow_space.hpp"
 
+#include "coupling/openfoam/cell_samples.hpp"
 #include "coupling/openfoam/snappy_mesh.hpp"
 
 namespace clogflow {
@@ -22,7 +23,9 @@ FlowSpace flow_space(const Scene& scene) {
 FoamSamples read_flow_samples(const std::filesystem::path& folder, const FlowSpace& space) {
   FlowLattice lattice = space.lattice;
   lattice.spacing /= space.unit;
-  return read_foam_samples(foam_samples_file(folder), lattice);
+  if (space.walls.empty()) return read_foam_samples(foam_samples_file(folder), lattice);
+  return velocities_from_cells(read_foam_samples(foam_samples_file(folder, "C"), lattice), lattice,
+                               read_foam_cells(folder));
 }
 
 }  // namespace clogflow

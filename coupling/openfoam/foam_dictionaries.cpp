@@ -38,6 +38,7 @@ void add_samples(Dictionary& out, const FlowLattice& lattice, const Sampling& sa
   const double lower = lattice.mirrored_in_z && lattice.height % 2 == 1 ? 1e-6 * h : 0;
   out.head("Samples, in units of the mesh: points at origin + i * span / (n + 1), i = 1 ... n");
   out.add("interpolation", sampling.interpolation);
+  out.add("sampledField", sampling.field);
   out.add("samplePointsX", nx);
   out.add("samplePointsY", ny);
   out.add("samplePointsZ", nz);

@@ -13,6 +13,7 @@ namespace clogflow {
 struct Sampling {
   double unit = 1;  ///< length that the mesh counts in while it is sampled [m]
   const char* interpolation = "cellPointFace";
+  const char* field = "U";
 };
 
 /// system/sceneDict: every number the template uses, SI units.

@@ -100,8 +100,9 @@ FoamSamples read_foam_samples(const std::filesystem::path& file, const FlowLatti
   return reader.result();
 }
 
-std::filesystem::path foam_samples_file(const std::filesystem::path& folder) {
+std::filesystem::path foam_samples_file(const std::filesystem::path& folder, const char* field) {
   namespace fs = std::filesystem;
+  const std::string file = fmt::format("lattice_{}.xy", field);
   const fs::path samples = folder / "postProcessing" / "samples";
   fs::path newest;
   double newest_time = -1;
@@ -110,13 +111,13 @@ std::filesystem::path foam_samples_file(const std::filesystem::path& folder) {
       const std::string name = entry.path().filename().string();
       double time = -1;
       std::from_chars(name.data(), name.data() + name.size(), time);
-      if (time > newest_time && fs::exists(entry.path() / "lattice_U.xy")) {
+      if (time > newest_time && fs::exists(entry.path() / file)) {
         newest_time = time;
-        newest = entry.path() / "lattice_U.xy";
+        newest = entry.path() / file;
       }
     }
   }
-  require(!newest.empty(), "{}/*/lattice_U.xy is missing; {}", samples.string(), remedy);
+  require(!newest.empty(), "{}/*/{} is missing; {}", samples.string(), file, remedy);
   return newest;
 }
 

@@ -26,8 +26,8 @@ struct FoamSamples {
 ///         value that is not finite, a point off the lattice, a point given twice
 FoamSamples read_foam_samples(const std::filesystem::path& file, const FlowLattice& lattice);
 
-/// The samples file of a case, in the newest time of postProcessing/samples.
+/// The samples file of a field of a case, in the newest time of postProcessing/samples.
 /// \throws Error when there is none
-std::filesystem::path foam_samples_file(const std::filesystem::path& folder);
+std::filesystem::path foam_samples_file(const std::filesystem::path& folder, const char* field = "U");
 
 }  // namespace clogflow

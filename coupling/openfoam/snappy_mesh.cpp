@@ -175,6 +175,10 @@ std::string snappy_entries(const SnappyMesh& mesh) {
   text += fmt::format("insideX             {:.12g};\ninsideY             {:.12g};\ninsideZ             {:.12g};\n",
                       mesh.inlet + straight * (mesh.outlet - mesh.inlet) / mesh.cells[0], inside_y * wide,
                       inside_z * mesh.high.z);
+  // All of a symmetric channel is solved, where the residuals of the small velocities along y and z, each over its
+  // own size, fall last: 1e-5 changes the velocity by 1e-5 of the neck's mean. A relaxation of 0.95 takes twice the
+  // iterations on cubes, 0.8 no fewer, and changes the velocity by 5e-5.
+  text += fmt::format("\n// simpleFoam\nrelaxationU         {};\nresidualU           {};\n", 0.9, 1e-4);
   return text;
 }
 

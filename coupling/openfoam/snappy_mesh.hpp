@@ -33,9 +33,12 @@ FlowLattice stl_lattice(const Scene& scene, const StlChannel& channel, const Sna
 /// The generated files of the case but for system/sceneDict, by name.
 std::map<std::string, std::string> snappy_files(const Scene& scene, const StlChannel& channel, const SnappyMesh& mesh);
 
-/// Sampled in neck widths, by tetrahedra: at the hanging nodes of a refined mesh cellPointFace was
-/// wrong by a third of the neck's mean velocity, in metres cellPoint falls back to cell values.
-inline Sampling snappy_sampling(const SnappyMesh& mesh) { return {.unit = mesh.unit, .interpolation = "cellPoint"}; }
+/// Sampled in neck widths, and not the velocity but in which cell each point lies (cell_samples.hpp): at the hanging
+/// nodes of a refined mesh cellPointFace was wrong by a third of the neck's mean velocity, and cellPoint errs as much
+/// as the solver does.
+inline Sampling snappy_sampling(const SnappyMesh& mesh) {
+  return {.unit = mesh.unit, .interpolation = "cell", .field = "C"};
+}
 
 /// What system/sceneDict holds for snappyHexMeshDict.
 std::string snappy_entries(const SnappyMesh& mesh);

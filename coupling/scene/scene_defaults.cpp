@@ -88,8 +88,8 @@ void fill_flow(SceneDraft& draft) {
     need(draft, "fluid.viscosity", reason);
     need(draft, "fluid.density", reason);
     if (!draft.has("flow.mesh_cells_per_neck")) flow.mesh_cells_per_neck = 48;
-    // On very coarse meshes, and those fitted to a file, the error is no power of the cells' size.
-    if (!draft.has("flow.extrapolate")) flow.extrapolate = geometry.stl.empty() && flow.mesh_cells_per_neck >= 16;
+    // On very coarse meshes the error is no power of the cells' size.
+    if (!draft.has("flow.extrapolate")) flow.extrapolate = flow.mesh_cells_per_neck >= 16;
     // A whole number of layers, near 50 for each neck width.
     if (!draft.has("flow.grid_spacing")) {
       const double side = std::min(geometry.neck_width, geometry.neck_height);

@@ -103,7 +103,7 @@ std::vector<Key> make_keys() {
       NUMBER(flow.rate, flow_rate, positive, "volume per time, in the place of mean_velocity: over channel_width times neck_height"),
       VECTOR(flow.velocity, velocity, "of a uniform flow: three velocities, or one along x"),
       NUMBER(flow.mesh_cells_per_neck, number, (Range{.low = 4, .high = 400}), "mesh cells across the full neck width; default 48"),
-      SWITCH(flow.extrapolate, "solve on half as many cells along each edge too, and extrapolate to cells of no size; default true for a shape given by keys, from 16 cells on"),
+      SWITCH(flow.extrapolate, "solve on half as many cells along each edge too, and extrapolate to cells of no size; default true from 16 cells on"),
       NUMBER(flow.grid_spacing, length, positive, "of the regular grid, a whole fraction of the neck height; default near neck_width / 50"),
       NUMBER(flow.grid_tolerance, number, (Range{.low = 0, .high = 1, .low_allowed = false}), "rms error of reading the grid in the neck, over the mean velocity there, that grid_spacing is chosen for where it is not given"),
       WORD(flow.lookup, "how the grid is read", "nearest", "trilinear"),

@@ -4,7 +4,7 @@ clog_tests(test_scene_reading
   LIBRARIES clog_coupling LABELS unit)
 clog_tests(test_flow_case
   SOURCES coupling/geometry/test_channel_geometry.cpp coupling/geometry/test_duct_flow.cpp
-          coupling/flow/test_flow_error.cpp coupling/flow/test_flow_reach.cpp coupling/flow/test_flow_rescale.cpp coupling/openfoam/test_foam_case_writer.cpp coupling/openfoam/test_foam_log.cpp coupling/openfoam/test_foam_samples.cpp coupling/geometry/test_stl_channel.cpp coupling/geometry/test_wall_outlines.cpp
+          coupling/flow/test_flow_error.cpp coupling/flow/test_flow_reach.cpp coupling/flow/test_flow_rescale.cpp coupling/openfoam/test_foam_case_writer.cpp coupling/openfoam/test_foam_log.cpp coupling/openfoam/test_foam_samples.cpp coupling/openfoam/test_quadratic_flow.cpp coupling/geometry/test_stl_channel.cpp coupling/geometry/test_wall_outlines.cpp
   LIBRARIES clog_coupling LABELS unit)
 clog_tests(test_file_formats
   SOURCES coupling/files/test_flow_grid.cpp coupling/files/test_run_file.cpp coupling/files/test_hdf5_faults.cpp coupling/files/test_hostile_hdf5.cpp

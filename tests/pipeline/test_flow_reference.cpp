@@ -12,6 +12,7 @@
 #include "coupling/base/text_file.hpp"
 #include "coupling/flow/flow_error.hpp"
 #include "coupling/flow/map_flow.hpp"
+#include "coupling/geometry/stl_channel.hpp"
 #include "coupling/openfoam/coarser_case.hpp"
 #include "coupling/openfoam/foam_case_writer.hpp"
 #include "dem/fluid/flow_field.hpp"
@@ -176,6 +177,31 @@ TEST_F(FlowReference, VelocityThroughTheGrid) {
 }
 
 TEST_F(FlowReference, PressureDrop) { EXPECT_NEAR(extrapolated_drop(folder), 17.72, 0.01 * 17.72); }
+
+// The same channel from a file, on cells three times as large.
+TEST(StlReference, IsWithinWhatIsTold) {
+  const ScratchFolder scratch;
+  const Scene keys = read_scene(source_folder() / "scenes" / "paper.toml",
+                                {"geometry.channel_length=700 um", "geometry.neck_length=200 um"});
+  write_file(scratch.path() / "walls.stl", channel_stl(keys.geometry, 1e-6));
+  const std::string text = effective_scene(keys);
+  write_file(scratch.path() / "scene.toml",
+             "[geometry]\nstl = \"walls.stl\"\nstl_unit = \"1 um\"\nneck_width = \"100 um\"\n\n" +
+                 text.substr(text.find("[fluid]")));
+  const fs::path folder = scratch.path() / "case";
+  write_foam_case(read_scene(scratch.path() / "scene.toml",
+                             {"flow.mesh_cells_per_neck=16", "flow.grid_spacing=4 um", "flow.extrapolate=true"}),
+                  folder, foam_template());
+  const ShellResult run = solve(folder);
+  ASSERT_EQ(run.status, 0) << run.output;
+  const FlowGrid grid = map_flow(folder);
+  const Deviation smooth = through_grid(grid, Lookup::trilinear, &ReferencePoint::velocity, 1);
+  EXPECT_LT(smooth.rms, 0.006);
+  const MeshError& told = grid.record.mesh_error.value();
+  EXPECT_TRUE(told.extrapolated);
+  EXPECT_GT(told.velocity_rms, smooth.rms);
+  EXPECT_LT(told.velocity_rms, 3 * smooth.rms);
+}
 
 // A thousandth of the flow rate is creeping flow (Reynolds number 1.2e-3 in the neck): everything
 // is a thousandth of the Stokes solution. Half the cells keep this cheap.

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/coupling/flow_scene.hpp"
 #include "tests/coupling/refusal.hpp"
 
 namespace clogflow {
@@ -64,6 +65,15 @@ TEST(RichardsonError, RefusesSamplesThatDoNotFit) {
   other = samples(0);
   other.found.assign(200, 0);
   EXPECT_THAT(refusal([&] { richardson_error(samples(0), other, 1); }), testing::HasSubstr("no point in common"));
+}
+
+// Of any shape, where the mesh is fine enough for its error to be a power of the cells' size.
+TEST(FlowExtrapolation, IsTheDefaultFromSixteenCellsOn) {
+  for (const auto& [cells, wanted] : {std::pair("16", true), {"15", false}}) {
+    const Overrides override{std::string("flow.mesh_cells_per_neck=") + cells};
+    EXPECT_EQ(flow_scene(override).flow.extrapolate, wanted) << cells;
+    EXPECT_EQ(read_scene(source_folder() / "scenes" / "pore.toml", override).flow.extrapolate, wanted) << cells;
+  }
 }
 
 }  // namespace
