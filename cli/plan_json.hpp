@@ -14,10 +14,10 @@ namespace clogflow::cli {
 struct PlanFindings {
   std::string file;  ///< of the scene
   std::string fidelity;
-  double speed = 0;                 ///< of this machine [instructions/s]
-  double runs = 0;                  ///< seeds times points of a sweep [-]
-  std::string flow_file;            ///< of --flow, or empty
-  double measured_reach = 0;        ///< in it [m]
+  double speed = 0;                      ///< of this machine [instructions/s]
+  double runs = 0;                       ///< seeds times points of a sweep [-]
+  std::string flow_file;                 ///< of --flow, or empty
+  double measured_reach = 0;             ///< in it [m]
   std::optional<double> flow_drop = {};  ///< over the scene's channel in it [Pa]
 };
 
