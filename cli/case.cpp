@@ -2,8 +2,7 @@
 #include <filesystem>
 #include <memory>
 
-#include <fmt/format.h>
-
+#include "cli/output.hpp"
 #include "cli/verbs.hpp"
 #include "coupling/base/content_hash.hpp"
 #include "coupling/base/source_folder.hpp"
@@ -24,12 +23,12 @@ void write_case(const CaseOptions& options) {
   const auto state = write_foam_case(scene, options.folder, source_folder() / "foam_case",
                                      options.check ? FoamCaseCheck::with_coarser_mesh : FoamCaseCheck::without);
   const std::string note = is_stl_channel(scene.geometry) ? read_stl_channel(scene.geometry)->note : "";
-  if (!note.empty()) fmt::print(stderr, "clog: {}\n", note);
+  if (!note.empty()) print_note(note);
   const std::string hash = content_hash(flow_inputs(scene));
   if (state == FoamCaseState::solved) {
-    fmt::print("flow {} is already solved in {}\n", hash, options.folder.string());
+    print_result("flow {} is already solved in {}\n", hash, options.folder.string());
   } else {
-    fmt::print("flow {} written; solve it with {}\n", hash, (options.folder / "Allrun").string());
+    print_result("flow {} written; solve it with {}\n", hash, (options.folder / "Allrun").string());
   }
 }
 

@@ -1,9 +1,5 @@
 #include "cli/display.hpp"
 
-#include <cstdio>
-
-#include <unistd.h>
-
 #include <fmt/format.h>
 
 #include "cli/output.hpp"
@@ -38,7 +34,7 @@ std::string standing_line(const Standing& all, double seconds) {
 }
 
 Display::Display(const Launch& launch)
-    : speaks_(launch.rank == 0), is_terminal_(isatty(STDERR_FILENO) != 0), is_alone_(launch.count == 1) {}
+    : speaks_(launch.rank == 0), is_terminal_(can_renew()), is_alone_(launch.count == 1) {}
 
 std::string Display::run_line(const Progress& now, double passed) {
   if (now.steps < last_.steps || now.filling != last_.filling) {
@@ -66,13 +62,12 @@ void Display::show(const Progress& run, const Standing& all) {
                                            : run_line(run, passed);
   last_ = run;
   last_time_ = now;
-  put(stderr, is_terminal_ ? "\r\033[K" + line : "clog: " + line + "\n");
-  drawn_ = is_terminal_;
+  if (is_terminal_)
+    renew(line);
+  else
+    print_note(line);
 }
 
-void Display::clear() {
-  if (drawn_) put(stderr, "\r\033[K");
-  drawn_ = false;
-}
+void Display::clear() { wipe(); }
 
 }  // namespace clogflow::cli

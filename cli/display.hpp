@@ -24,7 +24,7 @@ private:
   using Clock = std::chrono::steady_clock;
   std::string run_line(const Progress& now, double passed);
 
-  bool speaks_, is_terminal_, is_alone_, drawn_ = false;
+  bool speaks_, is_terminal_, is_alone_;
   double rate_ = 0;        // particle-steps per second of late
   double share_rate_ = 0;  // share of the simulated time per second of late
   Progress last_;

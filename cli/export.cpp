@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/output.hpp"
 #include "cli/verbs.hpp"
 #include "coupling/base/require.hpp"
 #include "coupling/base/shown_text.hpp"
@@ -28,7 +29,7 @@ struct ExportOptions {
   bool wants(ExportFormat which) const { return format == "all" || (format == "vtk") == (which == ExportFormat::vtk); }
 };
 
-void say(const fs::path& file) { fmt::print("{}\n", file.string()); }
+void say_file(const fs::path& file) { print_result("{}\n", file.string()); }
 
 /// Those that the particles meet, from the scene in the run file; of a channel from a file those of the flow.
 Walls walls_of(const RunData& run, const ExportOptions& options, const FlowGrid* flow) {
@@ -55,11 +56,11 @@ void export_run(const ExportOptions& options) {
   const Walls walls = walls_of(run, options, flow ? &*flow : nullptr);
   const std::string name = options.file.stem().string();
   for (const ExportFormat format : {ExportFormat::vtk, ExportFormat::xyz})
-    if (options.wants(format)) say(postprocess::export_run(run, name, walls, format, options.out));
+    if (options.wants(format)) say_file(postprocess::export_run(run, name, walls, format, options.out));
   if (!options.wants(ExportFormat::vtk)) return;
-  if (!walls.empty()) say(postprocess::export_walls(walls, options.out));
-  if (flow) say(postprocess::export_flow(*flow, options.flow.stem().string(), options.out));
-  say(postprocess::export_macro(options.out));
+  if (!walls.empty()) say_file(postprocess::export_walls(walls, options.out));
+  if (flow) say_file(postprocess::export_flow(*flow, options.flow.stem().string(), options.out));
+  say_file(postprocess::export_macro(options.out));
 }
 
 void export_flow(const ExportOptions& options) {
@@ -68,9 +69,9 @@ void export_flow(const ExportOptions& options) {
   require(options.flow.empty(), "--flow {} (goes with a run file; {} is a flow itself)", options.flow.string(),
           options.file.string());
   const FlowGrid flow = read_flow_grid(options.file);
-  say(postprocess::export_flow(flow, options.file.stem().string(), options.out));
-  if (!options.no_walls) say(postprocess::export_walls(flow.walls, options.out));
-  say(postprocess::export_macro(options.out));
+  say_file(postprocess::export_flow(flow, options.file.stem().string(), options.out));
+  if (!options.no_walls) say_file(postprocess::export_walls(flow.walls, options.out));
+  say_file(postprocess::export_macro(options.out));
 }
 
 void export_file(const ExportOptions& options) {

@@ -3,8 +3,7 @@
 #include <memory>
 #include <string>
 
-#include <fmt/format.h>
-
+#include "cli/output.hpp"
 #include "cli/verbs.hpp"
 #include "coupling/base/require.hpp"
 #include "coupling/base/units.hpp"
@@ -39,7 +38,7 @@ void add_film(CLI::App& app) {
   verb->callback([options] {
     read_time("--from", options->from, options->job.from);
     read_time("--to", options->to, options->job.to);
-    for (const auto& file : postprocess::make_film(options->job)) fmt::print("{}\n", file.string());
+    for (const auto& file : postprocess::make_film(options->job)) print_result("{}\n", file.string());
   });
 }
 

@@ -2,8 +2,7 @@
 #include <filesystem>
 #include <memory>
 
-#include <fmt/format.h>
-
+#include "cli/output.hpp"
 #include "cli/verbs.hpp"
 #include "coupling/base/number_column.hpp"
 #include "postprocess/output/fit_json.hpp"
@@ -54,7 +53,7 @@ void add_fit(CLI::App& app) {
     if (p_value->count() > 0) {
       request.p_value_replicates = p_value->as<std::string>().empty() ? default_replicates : options->replicates;
     }
-    fmt::print("{}\n", fit_column(*options, request).dump(2));
+    print_json(fit_column(*options, request));
   });
 }
 

@@ -2,8 +2,7 @@
 #include <filesystem>
 #include <memory>
 
-#include <fmt/format.h>
-
+#include "cli/output.hpp"
 #include "cli/verbs.hpp"
 #include "coupling/flow/flow_reach.hpp"
 #include "coupling/flow/map_flow.hpp"
@@ -19,23 +18,23 @@ void write_map(const MapOptions& options) {
   const FlowGrid grid = map_flow(options.folder);
   const FlowRecord& record = grid.record;
   write_flow_grid(grid, options.out);
-  fmt::print("{}: flow {}, {} x {} x {} points of {:.4g} um, flux of every plane within {:.2g} %\n",
-             options.out.string(), grid.hash, grid.points[0], grid.points[1], grid.points[2], 1e6 * grid.spacing,
-             100 * *record.grid_flux_largest_error);
-  fmt::print(
+  print_result("{}: flow {}, {} x {} x {} points of {:.4g} um, flux of every plane within {:.2g} %\n",
+               options.out.string(), grid.hash, grid.points[0], grid.points[1], grid.points[2], 1e6 * grid.spacing,
+               100 * *record.grid_flux_largest_error);
+  print_words(
       "reading it adds, in % of the neck's mean velocity: rms {:.2g} trilinear, {:.2g} nearest; "
       "in the neck, walls included, {:.2g} and {:.2g}; {:.3g} MB of memory\n",
       100 * record.lookup_error->trilinear_rms, 100 * record.lookup_error->nearest_rms,
       100 * record.lookup_error->trilinear_in_neck, 100 * record.lookup_error->nearest_in_neck,
       1e-6 * static_cast<double>(sizeof(float) * grid.velocity.size() + grid.solid.size()));
   if (const auto drop = channel_pressure_drop(grid, read_scene(options.folder / "scene.toml")))
-    fmt::print(
+    print_words(
         "pressure drop from the inlet of the scene's channel: {:.4g} Pa, {:.4g} Pa of it in what "
         "was solved\n",
         *drop, *record.pressure_drop);
   if (!record.mesh_error) return;
   const MeshError& error = *record.mesh_error;
-  fmt::print(
+  print_words(
       "{}, in % of the neck's mean velocity: "
       "rms {:.2g}, {:.2g} at 99 of 100 points, at most {:.2g} beside the edge; solved pressure "
       "drop "

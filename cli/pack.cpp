@@ -1,8 +1,7 @@
 // clog pack: the run files of a finished ensemble in one file.
 #include <memory>
 
-#include <fmt/format.h>
-
+#include "cli/output.hpp"
 #include "cli/verbs.hpp"
 #include "ensemble/packing.hpp"
 #include "ensemble/ranks.hpp"
@@ -20,8 +19,8 @@ void add_pack(CLI::App& app) {
     const Ranks ranks;
     if (!ranks.is_first()) return;
     const std::size_t runs = pack_ensemble(*job);
-    fmt::print("{}: {} runs, each compared with its file{}\n", job->pack.string(), runs,
-               job->remove ? "; the files are removed" : "");
+    print_result("{}: {} runs, each compared with its file{}\n", job->pack.string(), runs,
+                 job->remove ? "; the files are removed" : "");
   });
 }
 

@@ -2,8 +2,7 @@
 #include <filesystem>
 #include <memory>
 
-#include <fmt/format.h>
-
+#include "cli/output.hpp"
 #include "cli/verbs.hpp"
 #include "postprocess/output/report.hpp"
 #include "postprocess/output/statistics_files.hpp"
@@ -35,7 +34,7 @@ void add_report(CLI::App& app) {
   verb->callback([options] {
     if (options->out.empty()) options->out = options->folder / "report";
     for (const auto& file : postprocess::make_report(statistics_for(*options), options->out)) {
-      fmt::print("{}\n", file.string());
+      print_result("{}\n", file.string());
     }
   });
 }

@@ -70,9 +70,11 @@ void stop_after(const std::string& limit) {
 }
 
 void say(const SeedReport& report) {
-  const bool aside = report.failed || report.note;
-  put(aside ? stderr : stdout, fmt::format("{}{}seed {}: {}\n", aside ? "clog: " : "",
-                                           report.point.empty() ? "" : report.point + ", ", report.seed, report.line));
+  const std::string line =
+      fmt::format("{}seed {}: {}", report.point.empty() ? "" : report.point + ", ", report.seed, report.line);
+  if (report.failed) return print_error(line);
+  if (report.note) return print_note(line);
+  print_result("{}\n", line);
 }
 
 /// The points on every rank.
@@ -96,7 +98,7 @@ EnsembleCall call_for(const std::vector<RunPoint>& points, const RunOptions& opt
                     .ranks = options.use == Ranks::Use::none ? nullptr : &ranks,
                     .ledger = options.out / "ensemble.csv"};
   for (const RunPoint& p : points) {
-    if (launch.rank == 0 && !p.note.empty()) fmt::print("{}{}\n", p.folder.empty() ? "" : p.folder + ": ", p.note);
+    if (launch.rank == 0 && !p.note.empty()) print_words("{}{}\n", p.folder.empty() ? "" : p.folder + ": ", p.note);
     call.ensembles.push_back(
         {p.scene, p.flow.get(), options.out / p.folder, &stop_asked, p.folder, p.cost, options.threads});
     call.inputs.push_back(p.inputs);
@@ -108,7 +110,7 @@ EnsembleCall call_for(const std::vector<RunPoint>& points, const RunOptions& opt
 void prepare_directories(const EnsembleCall& call) {
   const auto prepare = [&] {
     for (const std::string& line : check_directories(call))
-      if (call.launch.rank == 0) put(stderr, fmt::format("clog: {}\n", line));
+      if (call.launch.rank == 0) print_note(line);
     for (const Ensemble& ensemble : call.ensembles) make_directory(ensemble.directory);
     return true;
   };
@@ -150,11 +152,11 @@ void say(const Decisions& decisions, const EnsembleCall& call, const EnsembleRes
     const std::string& point = call.ensembles[i].name;
     const std::string line = (point.empty() ? "" : point + ": ") + decisions[i]->summary();
     if (decisions[i]->is_met())
-      fmt::print("{}\n", line);
+      print_result("{}\n", line);
     else if (result.left_to_others > 0)
-      fmt::print("{} so far: other calls are at work on some of them\n", line);
+      print_result("{} so far: other calls are at work on some of them\n", line);
     else if (result.stopped > 0)
-      fmt::print("{} so far: stopped, the same call goes on\n", line);
+      print_result("{} so far: stopped, the same call goes on\n", line);
     else
       not_met.push_back(line);
   }
@@ -168,13 +170,13 @@ void conclude(const EnsembleCall& call, const EnsembleResult& result, const std:
   std::size_t seeds = 0;
   for (const Ensemble& ensemble : call.ensembles) seeds += ensemble.scene.ensemble.seeds.size();
   if (call.launch.count > 1 && result.busy > 0)
-    fmt::print("{} ranks, busy {:.1f} % of {:.1f} s\n", call.launch.count,
-               100 * result.busy / (result.duration * call.launch.count), result.duration);
+    print_words("{} ranks, busy {:.1f} % of {:.1f} s\n", call.launch.count,
+                100 * result.busy / (result.duration * call.launch.count), result.duration);
   if (stop_asked && result.begun == 0 && result.to_do > 0)
-    fmt::print("stopped before any seed began: the same call begins\n");
+    print_result("stopped before any seed began: the same call begins\n");
   if (result.left_to_others > 0)
-    fmt::print("{} of {} seeds are left to other calls that are at work on them{}{}\n", result.left_to_others, seeds,
-               result.other.empty() ? "" : ", such as ", result.other);
+    print_result("{} of {} seeds are left to other calls that are at work on them{}{}\n", result.left_to_others, seeds,
+                 result.other.empty() ? "" : ", such as ", result.other);
   require(result.failed == 0, "{} of {} seeds failed; the others are in {}", result.failed, seeds, out.string());
   require(result.unrecorded == 0, "{} seeds are done but not listed in {}", result.unrecorded, call.ledger.string());
 }

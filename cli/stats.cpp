@@ -5,12 +5,14 @@
 
 #include <fmt/format.h>
 
+#include "cli/output.hpp"
 #include "cli/verbs.hpp"
 #include "coupling/base/require.hpp"
 #include "coupling/base/units.hpp"
 #include "coupling/scene/unclog_protocol.hpp"
 #include "ensemble/ranks.hpp"
 #include "postprocess/output/statistics_files.hpp"
+#include "postprocess/output/statistics_json.hpp"
 
 namespace clogflow::cli {
 namespace {
@@ -42,28 +44,29 @@ std::string with_interval(const postprocess::GroupStatistics& group, const char*
 /// What is known to be wrong with the laws behind the numbers.
 void print_verdicts(const postprocess::GroupStatistics& group) {
   const auto* alpha = std::get_if<postprocess::ArrestFit>(&group.power_laws.fixed_censored);
-  if (alpha && alpha->verdict.ruled_out) fmt::print("  alpha: {}\n", alpha->verdict.words);
+  if (alpha && alpha->verdict.ruled_out) print_result("  alpha: {}\n", alpha->verdict.words);
   const auto& spread = group.bursts.spread;
-  if (spread && spread->verdict.ruled_out) fmt::print("  s: geometric law {}\n", spread->verdict.words);
-  if (group.burst_order && group.burst_order->depends) fmt::print("  s: {}\n", group.burst_order->words);
+  if (spread && spread->verdict.ruled_out) print_result("  s: geometric law {}\n", spread->verdict.words);
+  if (group.burst_order && group.burst_order->depends) print_result("  s: {}\n", group.burst_order->words);
 }
 
 /// Passages until the first clog, in one line: nothing else is known of runs that end there.
 void print_first_burst(const postprocess::GroupStatistics& group) {
   const auto& first = group.first_burst;
   const auto& packing = first.packing.flowing.value;
-  fmt::print("{}: <s> = {} passages until the first clog{}, {} seeds, {} cut by the end; geometric law {}", group.label,
-             known(first.mean.mean),
-             first.mean.is_restricted && first.clogged > 0 ? fmt::format(" (restricted to {})", first.mean.up_to) : "",
-             first.seeds, first.seeds - first.clogged, first.verdict.words);
-  fmt::print("; packing near the neck {}\n", std::isfinite(packing) ? fmt::format("{:.3g}", packing) : "unknown");
+  print_result(
+      "{}: <s> = {} passages until the first clog{}, {} seeds, {} cut by the end; geometric law {}", group.label,
+      known(first.mean.mean),
+      first.mean.is_restricted && first.clogged > 0 ? fmt::format(" (restricted to {})", first.mean.up_to) : "",
+      first.seeds, first.seeds - first.clogged, first.verdict.words);
+  print_result("; packing near the neck {}\n", std::isfinite(packing) ? fmt::format("{:.3g}", packing) : "unknown");
   if (const auto& tail = first.tail)
-    fmt::print("  memoryless from {} passages on: hazard {} per passage, {} clogs (p = {:.2g})\n", tail->from,
-               known(tail->hazard), tail->events, tail->test.p_value);
+    print_result("  memoryless from {} passages on: hazard {} per passage, {} clogs (p = {:.2g})\n", tail->from,
+                 known(tail->hazard), tail->events, tail->test.p_value);
   const auto& places = first.places;
   if (places.upstream > 0)
-    fmt::print("  {} of {} clogs stood more than a neck width upstream of the neck: not the neck's\n", places.upstream,
-               places.known);
+    print_result("  {} of {} clogs stood more than a neck width upstream of the neck: not the neck's\n",
+                 places.upstream, places.known);
 }
 
 /// Each neck of several alone: the lines above are of all together.
@@ -73,10 +76,10 @@ void print_necks(const postprocess::RunGroup& group, const postprocess::GroupSta
     const postprocess::GroupStatistics& neck = numbers.necks[k];
     std::size_t passages = 0;
     for (const postprocess::SeedRecord& record : group.necks[k]) passages += record.passages;
-    fmt::print("  neck {}: {} passages, <s> = {}, by T_min {}, {} arrests\n", k, passages,
-               stops ? known(neck.first_burst.mean.mean) : known(neck.of("mean_burst").whole),
-               known(neck.of("mean_burst_by_threshold").whole),
-               neck.lapses.arrests.passage + neck.lapses.arrests.release + neck.lapses.arrests.end_of_run);
+    print_result("  neck {}: {} passages, <s> = {}, by T_min {}, {} arrests\n", k, passages,
+                 stops ? known(neck.first_burst.mean.mean) : known(neck.of("mean_burst").whole),
+                 known(neck.of("mean_burst_by_threshold").whole),
+                 neck.lapses.arrests.passage + neck.lapses.arrests.release + neck.lapses.arrests.end_of_run);
   }
 }
 
@@ -90,31 +93,31 @@ void print_summary(const postprocess::Statistics& statistics) {
       continue;
     }
     const bool by_release = clears_clogs(protocol);
-    fmt::print("{}: {} seeds, {} bursts, <s> = {}, {} = {}, {} passages/s{}\n", group.label,
-               statistics.groups[i].records.size(), group.bursts.counted, with_interval(group, "mean_burst"),
-               by_release ? "releases without a passage" : "alpha(T_min)",
-               with_interval(group, by_release ? "share_failed" : "alpha_fixed"),
-               with_interval(group, by_release ? "flow_rate_flowing" : "flow_rate"),
-               by_release ? " while it flows" : "");
+    print_result("{}: {} seeds, {} bursts, <s> = {}, {} = {}, {} passages/s{}\n", group.label,
+                 statistics.groups[i].records.size(), group.bursts.counted, with_interval(group, "mean_burst"),
+                 by_release ? "releases without a passage" : "alpha(T_min)",
+                 with_interval(group, by_release ? "share_failed" : "alpha_fixed"),
+                 with_interval(group, by_release ? "flow_rate_flowing" : "flow_rate"),
+                 by_release ? " while it flows" : "");
     print_verdicts(group);
     print_necks(statistics.groups[i], group);
   }
 }
 
 void print_law(const std::string& label, const char* symbol, const postprocess::SweepLaw& law) {
-  fmt::print("{}{}", label, label.empty() ? "" : ": ");
+  print_result("{}{}", label, label.empty() ? "" : ": ");
   if (!law.line) {
-    fmt::print("no law for {}: {}\n", symbol, law.refused);
+    print_result("no law for {}: {}\n", symbol, law.refused);
     return;
   }
   const auto& b = law.line->slope;
-  fmt::print("{} = A exp(b {}), b = {:.4g} [{:.4g}, {:.4g}] from {} points, p = {:.2g}\n", symbol, law.x, b.value,
-             b.low, b.high, law.points, law.line->p_value);
+  print_result("{} = A exp(b {}), b = {:.4g} [{:.4g}, {:.4g}] from {} points, p = {:.2g}\n", symbol, law.x, b.value,
+               b.low, b.high, law.points, law.line->p_value);
 }
 
 /// The laws of a sweep, or why there is none; nothing for a single ensemble.
 void print_trend(const postprocess::Statistics& statistics) {
-  for (const std::string& name : statistics.without_runs) fmt::print("{}: no runs yet\n", name);
+  for (const std::string& name : statistics.without_runs) print_result("{}: no runs yet\n", name);
   if (statistics.groups.size() < 2) return;
   for (const auto& series : statistics.trend.series) {
     print_law(series.label, "<s>", series.mean_burst);
@@ -141,6 +144,7 @@ void add_stats(CLI::App& app) {
     if (!ranks.is_first()) return;
     if (!threshold->empty()) job->threshold = threshold_seconds(*threshold);
     const auto statistics = postprocess::write_statistics(*job);
+    if (json_wanted()) return print_json(postprocess::as_json(statistics));
     print_summary(statistics);
     print_trend(statistics);
   });

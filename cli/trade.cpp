@@ -4,8 +4,6 @@
 #include <memory>
 #include <optional>
 
-#include <fmt/format.h>
-
 #include "cli/output.hpp"
 #include "cli/stop_signal.hpp"
 #include "cli/verbs.hpp"
@@ -51,16 +49,16 @@ void run_on(const TradeOptions& options, Ranks& ranks) {
     trade::check_study(study);
   });
   if (!options.flow.empty()) study.flow = &(flow = shared_flow(flow, ranks));
-  trade::run_study(study, ranks, [](const std::string& line) { put(stdout, line + "\n"); });
+  trade::run_study(study, ranks, [](const std::string& line) { print_words("{}\n", line); });
   ranks.part();
   if (!ranks.is_first()) return;
   const trade::StudyResults results = trade::study_results(study);
   publish_file(trade::study_text(results), options.out / "trade.json");
   const std::string table = trade::table(results);
   publish_file(table, options.out / "trade.txt");
-  fmt::print("{}", table);
+  print_result("{}", table);
   for (const fs::path& file : postprocess::make_trade_figure(options.out / "trade.json", options.out))
-    fmt::print("{}\n", file.string());
+    print_result("{}\n", file.string());
 }
 
 void run(const TradeOptions& options) {

@@ -2,8 +2,7 @@
 #include <filesystem>
 #include <memory>
 
-#include <fmt/format.h>
-
+#include "cli/output.hpp"
 #include "cli/verbs.hpp"
 #include "coupling/base/publish_file.hpp"
 #include "coupling/geometry/stl_channel.hpp"
@@ -23,7 +22,7 @@ constexpr double micrometre = 1e-6;
 void write_walls(const WallsOptions& options) {
   const std::string text = channel_stl(read_scene(options.scene, options.overrides).geometry, micrometre);
   publish_file(text, options.out);
-  fmt::print("{}: walls, inlet and outlet, in micrometres (geometry.stl_unit = \"1 um\")\n", options.out.string());
+  print_result("{}: walls, inlet and outlet, in micrometres (geometry.stl_unit = \"1 um\")\n", options.out.string());
 }
 
 }  // namespace

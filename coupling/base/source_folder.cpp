@@ -7,7 +7,7 @@ namespace clogflow {
 std::filesystem::path source_folder() {
   std::error_code none;
   const auto program = std::filesystem::read_symlink("/proc/self/exe", none);
-  const auto installed = program.parent_path().parent_path() / "share" / "clogflow";
+  const auto installed = (program.parent_path() / CLOG_DATA_FROM_PROGRAM).lexically_normal();
   return !none && std::filesystem::is_directory(installed, none) ? installed : CLOG_SOURCE_DIR;
 }
 

@@ -24,6 +24,9 @@ struct ExpectedBurst {
 /// and the rate of passages are interpolated, exponentially in D/d; times scale with D/v.
 ExpectedBurst expected_burst(const Scene& scene);
 
+/// Widths of that interval over <s> that a plan tells the price of [-].
+inline constexpr double planned_precisions[] = {0.2, 0.1, 0.05};
+
 /// Bursts for which the 95 % interval of <s> is within a share of it: (1.96 spread / share)^2.
 double bursts_for(double spread, double share);
 

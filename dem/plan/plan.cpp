@@ -289,6 +289,7 @@ Plan make_plan(const Scene& scene) {
   find_limits(scene, model, plan);
   estimate_cost(scene, model, plan);
   estimate_burst(scene, plan);
+  plan.disk = disk_use(scene, plan.particles, plan.burst);
   judge_flow(scene, plan);
   if (scene.geometry.present) {
     plan.layers_note = layers_warning(scene.geometry.neck_height, scene, "geometry.neck_height");

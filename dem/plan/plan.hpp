@@ -6,6 +6,7 @@
 
 #include "coupling/scene/scene.hpp"
 #include "dem/plan/burst_cost.hpp"
+#include "dem/plan/disk_use.hpp"
 #include "dem/stability/step_limit.hpp"
 
 namespace clogflow {
@@ -44,6 +45,7 @@ struct Plan {
   ExpectedBurst burst;
   double burst_steps = 0;         ///< particle-steps of one burst [-]
   double burst_instructions = 0;  ///< of one burst
+  DiskUse disk;
 
   /// Of one seed on one core that does so many instructions a second. [s]
   double seconds(double speed = nominal_speed) const { return instructions / speed; }

@@ -1,7 +1,8 @@
 """Opens in ParaView what `clog export` wrote into the folder of this file: particles as spheres, walls, flow.
 
     paraview --script=FOLDER/show_in_paraview.py       or, in ParaView: Tools > Python Shell > Run Script (or Macros > Import)
-    xvfb-run pvbatch FOLDER/show_in_paraview.py PICTURE.png     the first moment as a picture, without a screen
+    xvfb-run -a pvbatch FOLDER/show_in_paraview.py PICTURE.png          the first moment as a picture, without a screen
+    xvfb-run -a pvbatch FOLDER/show_in_paraview.py 'PICTURE_%04d.png'   every moment
 
 Particles are coloured by speed; "force [N]", "species" and the others are one click away.
 """
@@ -75,6 +76,17 @@ def look_from_above(view, shown):
     view.CameraParallelScale = max(0.75 * (high[1] - low[1]), 0.55 * (high[0] - low[0]) * HEIGHT / WIDTH)
 
 
+def save(picture, view):
+    """One picture, or where its name has a place for a number one for every snapshot."""
+    scene = GetAnimationScene()
+    scene.UpdateAnimationUsingDataTimeSteps()
+    times = list(scene.TimeKeeper.TimestepValues or [0.0]) if "%" in picture else [None]
+    for number, time in enumerate(times):
+        if time is not None:
+            scene.AnimationTime = time
+        SaveScreenshot(picture % number if time is not None else picture, view, ImageResolution=[WIDTH, HEIGHT])
+
+
 def main():
     particles = sorted(FOLDER.glob("*.pvd"))
     if not particles and not (FOLDER / "walls.vtp").exists():
@@ -93,7 +105,7 @@ def main():
     SetActiveSource(None)  # or the handles of its shape are drawn
     Render(view)
     if picture:
-        SaveScreenshot(picture, view, ImageResolution=[WIDTH, HEIGHT])
+        save(picture, view)
 
 
 main()

@@ -20,7 +20,7 @@ from .simulate import export, plan, run, solve_flow
 from .statistics_files import Statistics, fit, statistics
 from .tables import units
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 SCENES = _TOP / "scenes"  #: folder of the scenes that come with the program
 __all__ = ["ClogflowError", "Ensemble", "FileError", "Flow", "ProgramError", "Run", "SCENES", "Scene", "Snapshot", "Snapshots",
            "Statistics", "export", "figures", "find_program", "fit", "plan", "run", "solve_flow", "statistics", "units"]

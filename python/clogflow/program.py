@@ -118,7 +118,7 @@ def ended(process: subprocess.Popen) -> tuple[str, str]:
 def error_line(command: Sequence[str], said: str, status: int) -> str:
     """The program's own line; of a wrong usage its first one."""
     lines = [line for line in said.splitlines() if line.strip()]
-    ours = [line.removeprefix("clog: ") for line in lines if line.startswith("clog: ")]
+    ours = [line.split(": ", 1)[1] for line in lines if line.startswith(("clog: ", "clogflow: "))]
     if ours:
         return ours[-1]
     if lines:

@@ -22,7 +22,7 @@ clog_tests(test_fluid_parts
   LIBRARIES clog_dem LABELS unit)
 clog_tests(test_channel_parts
   SOURCES dem/run/test_inlet.cpp dem/run/test_refusals.cpp dem/stability/test_shaking.cpp dem/stability/test_step_limit.cpp
-          dem/run/test_model_refusals.cpp dem/plan/test_plan.cpp dem/run/test_stl_scene.cpp dem/run/test_flow_fit.cpp
+          dem/run/test_model_refusals.cpp dem/plan/test_disk_use.cpp dem/plan/test_plan.cpp dem/run/test_stl_scene.cpp dem/run/test_flow_fit.cpp
           dem/run/test_release_region.cpp dem/protocol/test_supply_watch.cpp
   LIBRARIES clog_dem LABELS unit)
 clog_tests(test_channel_runs

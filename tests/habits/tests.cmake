@@ -4,7 +4,6 @@ add_test(NAME Format COMMAND ${habits}/format)
 add_test(NAME EveryUnitHasItsTest COMMAND ${habits}/units)
 add_test(NAME ArrowsOfTheArchitecture COMMAND ${habits}/arrows)
 add_test(NAME ChangedSourcesUnderClang COMMAND ${habits}/clang_sources syntax changed ${CMAKE_BINARY_DIR}/clang)
-add_test(NAME InstalledProgram COMMAND ${habits}/installed_program ${CMAKE_BINARY_DIR} $<TARGET_FILE:clog>)
-set_tests_properties(Format EveryUnitHasItsTest ArrowsOfTheArchitecture ChangedSourcesUnderClang InstalledProgram
+set_tests_properties(Format EveryUnitHasItsTest ArrowsOfTheArchitecture ChangedSourcesUnderClang
   PROPERTIES
   LABELS habits SKIP_RETURN_CODE 77 TIMEOUT ${test_time_limit})

@@ -1,6 +1,7 @@
 """What `clog export` writes is what the run file holds: read by VTK's own readers and by a reader of extended XYZ."""
 
 import ast
+import importlib.util
 import pathlib
 import re
 import shutil
@@ -20,6 +21,11 @@ import clogflow
 ARRAYS = {"radius [m]": "radius", "velocity [m/s]": "velocity", "spin [rad/s]": "spin", "force [N]": "force",
           "torque [N m]": "torque", "id": "id"}
 XYZ = {"species": (0, 1), "pos": (1, 3), "id": (4, 1), "radius": (5, 1), "velo": (6, 3), "omega": (9, 3), "force": (12, 3), "torque": (15, 3)}
+
+ELEMENTS = ["H", "He", "Li", "Be", "B"]  # whose number is that of the species
+# https://github.com/libAtoms/extxyz: what a plain value, a quoted one and numbers may look like.
+PAIR = re.compile(r'([A-Za-z_][\w-]*)=("(?:[^"\\\n]|\\.)*"|[^\s=",\[\]{}\\]+)(?: |$)')
+KINDS = {"S": r"\S+", "I": r"[+-]?\d+", "R": r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eEdD][+-]?\d+)?", "L": r"[TF]"}
 
 LABORATORY = """
 [geometry]
@@ -64,7 +70,8 @@ def frames(file):
     while lines:
         count, comment = int(lines[0]), lines[1]
         attributes = {key: quoted or plain for key, quoted, plain in re.findall(r'(\w+)=(?:"([^"]*)"|(\S+))', comment)}
-        found.append((attributes, np.array([line.split() for line in lines[2:2 + count]], float).reshape(count, 18)))
+        rows = [[ELEMENTS.index(symbol) + 1, *numbers] for symbol, *numbers in map(str.split, lines[2:2 + count])]
+        found.append((attributes, np.array(rows, float).reshape(count, 18)))
         lines = lines[2 + count:]
     return found
 
@@ -142,6 +149,37 @@ class OfARun(unittest.TestCase):
             self.assertTrue(np.all(snapshot.position - snapshot.radius[:, None] >= origin - 1e-15))
             self.assertTrue(np.all(snapshot.position + snapshot.radius[:, None] <= origin + np.diag(size) + 1e-15))
             self.assertEqual((attributes["Lattice"], attributes["Origin"]), (read[0][0]["Lattice"], read[0][0]["Origin"]))
+
+    def test_extended_xyz_keeps_to_its_grammar(self):
+        lines = (self.out / "run_0003.xyz").read_text().split("\n")
+        self.assertEqual(lines.pop(), "")
+        while lines:
+            self.assertRegex(lines[0], r"^\d+$")
+            pairs = PAIR.findall(lines[1])
+            self.assertEqual("".join(f"{key}={value} " for key, value in pairs), lines[1] + " ")  # nothing between them
+            named = dict(pairs)
+            self.assertEqual(len(named), len(pairs))
+            self.assertRegex(named["Properties"], r"^\w+:[SIRL]:[1-9]\d*(:\w+:[SIRL]:[1-9]\d*)*$")
+            self.assertEqual(len(named["Lattice"].strip('"').split()), 9)
+            words = named["Properties"].split(":")
+            row = re.compile(" ".join(" ".join([KINDS[kind]] * int(count)) for kind, count in zip(words[1::3], words[2::3])))
+            count = int(lines[0])
+            self.assertGreater(count, 0)
+            for line in lines[2:2 + count]:
+                self.assertIsNotNone(row.fullmatch(line), line)
+            lines = lines[2 + count:]
+
+    @unittest.skipIf(importlib.util.find_spec("ase") is None, "no ase (python3-ase)")
+    def test_ase_reads_extended_xyz(self):
+        import ase.io
+        read = ase.io.read(self.out / "run_0003.xyz", index=":", format="extxyz")
+        self.assertEqual(len(read), len(self.run_data.snapshots))
+        for atoms, snapshot in zip(read, self.run_data.snapshots):
+            self.assertTrue(np.array_equal(atoms.positions, snapshot.position))
+            self.assertTrue(np.array_equal(atoms.arrays["velo"], snapshot.velocity))
+            self.assertTrue(np.array_equal(atoms.arrays["radius"], snapshot.radius))
+            self.assertTrue(np.array_equal(atoms.numbers, np.ones(len(snapshot))))
+            self.assertEqual(atoms.info["Time"], snapshot.time)
 
     def test_the_script_for_paraview_knows_its_folder(self):
         odd = fixtures.folder() / 'a "b" \\ µ'
