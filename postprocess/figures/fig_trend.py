@@ -67,7 +67,7 @@ def right_edge(xs):
 
 
 def point_out(axes, x, point, colour):
-    axes.text(x, point["mean_burst"]["low"] * 0.8, f"D/d = {point['x']:.3g} →", ha="right", va="top", fontsize=7, color=colour)
+    axes.text(x, point["mean_burst"]["low"] * 0.8, f"D/d = {point['x']:.3g} →", ha="right", va="top", fontsize=style.points(7), color=colour)
 
 
 def draw(axes, statistics, quantity, transform, symbol):
@@ -110,7 +110,7 @@ def draw_alpha(axes, statistics):
     axes.set_yscale("log")
     axes.yaxis.set_major_formatter("{x:g}")
     axes.yaxis.set_minor_formatter("{x:g}")
-    axes.tick_params(axis="y", which="minor", labelsize=7)
+    axes.tick_params(axis="y", which="minor", labelsize=style.points(7))
     axes.axhline(2, color=style.GREY, lw=0.8, ls=":")
     for status in CUT:
         if any(point["alpha"]["status"] == status for point in statistics.data["trend"]["points"]):

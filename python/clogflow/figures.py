@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
     Source = Union[Ensemble, Run, Statistics]
 
-MODULES = ("style", "channel", "run_file", "stats_files", "fig_trend", "fig_snapshots", "fig_spatiotemporal", "fig_necks",
+MODULES = ("style", "channel", "run_file", "stats_files", "arch", "fig_trend", "fig_snapshots", "fig_spatiotemporal", "fig_necks",
            "fig_first_burst", "fig_bursts", "fig_lapses", "fig_series")
 
 
