@@ -1,4 +1,4 @@
-"""The arch of a clog in a snapshot, as the program finds it (dem/run/arch.hpp): the particles that bear the load at the neck."""
+"""The arch of a clog in a snapshot: the particles that bear load and close the neck."""
 
 import numpy as np
 
@@ -27,14 +27,12 @@ def wall_contacts(position, radius, geometry):
 
 
 def contact_counts(snapshot, near, geometry):
-    """Of all particles: those recorded, or the overlaps of spheres and walls among those that are near; None where neither is known."""
+    """Of each particle: those recorded, or the overlaps of spheres and walls among those that are near."""
     count = np.zeros(len(snapshot.radius), dtype=int)
     if snapshot.contacts:
         np.add.at(count, snapshot.contacts.a, 1)
         np.add.at(count, snapshot.contacts.b[snapshot.contacts.b != WALL], 1)
         return count
-    if "upper" not in geometry:
-        return None
     position, radius = snapshot.position[near], snapshot.radius[near]
     apart = np.linalg.norm(position[:, None] - position, axis=2)
     pairs = apart < radius[:, None] + radius
@@ -42,18 +40,21 @@ def contact_counts(snapshot, near, geometry):
     return count
 
 
+def seen_from_outlet(position, radius, x_of_others, lateral_of_others):
+    """Whether no other particle stands downstream of a centre, in front of it."""
+    in_front = (x_of_others > position[:, :1]) & (np.linalg.norm(position[:, None, 1:] - lateral_of_others, axis=2) < radius[:, None])
+    return ~in_front.any(axis=1)
+
+
 def arch_of(snapshot, geometry):
-    """Rows of the particles that at least two contacts press on, upstream of the passage plane and within one diameter of
-    the one that is farthest downstream; none where contacts are not known."""
-    x, diameter = snapshot.position[:, 0], 2 * snapshot.radius
-    upstream = x < geometry["passage_plane"]
-    if not upstream.any():
+    """Rows of the particles that close the neck: at least two contacts press on them, their centres lie before the opening or
+    within half a radius of it, and nothing stands before them upstream of the passage plane. Of channels with one neck in the
+    middle, given by keys; none elsewhere."""
+    position, radius = snapshot.position, snapshot.radius
+    upstream = np.flatnonzero(position[:, 0] < geometry["passage_plane"])
+    if "upper" not in geometry or not len(upstream):
         return np.zeros(0, dtype=int)
-    near = np.flatnonzero(x > x[upstream].max() - NEAR * diameter.max())
+    near = upstream[position[upstream, 0] > position[upstream, 0].max() - NEAR * 2 * radius.max()]
     count = contact_counts(snapshot, near, geometry)
-    if count is None:
-        return np.zeros(0, dtype=int)
-    bearing = upstream & (count >= 2)
-    if not bearing.any():
-        return np.zeros(0, dtype=int)
-    return np.flatnonzero(bearing & (x >= x[bearing].max() - diameter))
+    before = near[(count[near] >= 2) & (np.abs(position[near, 1]) < geometry["neck_width"] / 2 + radius[near] / 2)]
+    return before[seen_from_outlet(position[before], radius[before], position[near, 0], position[near, 1:])]

@@ -55,7 +55,7 @@ def draw_density(axes, statistics):
 
 def draw_fits(axes, group, colour, largest, single):
     """Density of each fitted law, weighted with the share of lapses that belong to its tail."""
-    styles = {"free": ("-", colour if not single else style.RELEASE), "fixed": ("--", colour if not single else style.INK)}
+    styles = {"free": ("-", colour if not single else style.GREY), "fixed": ("--", colour if not single else style.INK)}
     names = {"free": r"$T_{\min}$ found", "fixed": r"$T_{\min}=\tau/2$"}
     for key, (line, fit_colour) in styles.items():
         fit = group["power_law"][key]
@@ -78,7 +78,7 @@ def mark_threshold(axes, statistics):
 def draw_survival(axes, statistics):
     """Kaplan-Meier estimate for the arrests, censored ones included, and the two rival laws."""
     colours = style.group_colours(len(statistics.groups))
-    lowest, drawn = 0.1, False
+    lowest, drawn = 0.6, False
     for index, group in enumerate(statistics.groups):
         rows = statistics.rows("arrest_survival", index)
         if len(rows) < FEWEST_STEPS:
@@ -87,14 +87,16 @@ def draw_survival(axes, statistics):
         x = np.array([group["t_min"] / group["tau"]] + [row["T/tau [1]"] for row in rows])
         s = np.array([1.0] + [row["S [1]"] for row in rows])
         error = style.TO_95 * np.array([0.0] + [row["error [1]"] for row in rows])
-        lowest = min(lowest, s[s > 0].min())
+        lowest = min(lowest, s[s > 0].min(), *(s - error)[s - error > 0.7 * s])
         axes.fill_between(x, np.maximum(s - error, 1e-9), np.minimum(s + error, 1), step="post", color=colours[index], alpha=0.18, lw=0)
         axes.step(x, np.maximum(s, 1e-9), where="post", color=colours[index], label=survival_label(group))
         draw_laws(axes, group, x, len(statistics.groups) == 1)
     axes.set_xscale("log")
     axes.set_yscale("log")
     if drawn:
-        axes.set_ylim(0.5 * lowest, 4)
+        axes.set_ylim(0.93 * lowest, 1.04)
+        style.label_within_a_decade(axes.yaxis)
+        style.label_within_a_decade(axes.xaxis)
     else:
         style.say(axes, missing_survival(statistics))
         axes.set_xlim(0.3, 30)
@@ -102,6 +104,8 @@ def draw_survival(axes, statistics):
     axes.set_xlabel(r"arrest $T/\tau$ [1]")
     axes.set_ylabel(r"survival of arrests $S(T/\tau)$ [1]")
     if not is_crowded(statistics):
+        if drawn:
+            style.room_for_legend(axes)
         style.legend(axes, loc="upper right")
 
 

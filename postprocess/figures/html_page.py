@@ -18,6 +18,15 @@ def film(statistics, figures):
     return parts | ({"still": still} if "frame" in parts else {})
 
 
+def notes(groups):
+    """Each once, with whom it concerns unless it is all."""
+    concerned = {}
+    for group in groups:
+        for line in group["notes"]:
+            concerned.setdefault(line, []).append(group["label"])
+    return [line if len(labels) == len(groups) > 1 else f"{', '.join(labels)}: {line}" for line, labels in concerned.items()]
+
+
 def context(statistics, paths, flow, command):
     groups = statistics.groups
     common, runs = page_tables.runs(groups)
@@ -26,8 +35,8 @@ def context(statistics, paths, flow, command):
     shown = played.get("still")
     flow_rows, flow_words = page_text.flow_error(statistics, flow)
     steps, made_by = page_text.commands(statistics, common, command)
-    return {"title": groups[0]["label"] if len(groups) == 1 else f"sweep of {len(groups)} scenes", "sentence": page_text.sentence(statistics),
-            "program": f"clogflow {statistics.data['program']}", "groups": groups, "notes": [f"{g['label']}: {line}" for g in groups for line in g["notes"]],
+    return {"title": groups[0]["label"] if len(groups) == 1 else f"Sweep of {len(groups)} scenes", "sentence": page_text.sentence(statistics),
+            "program": f"clogflow {statistics.data['program']}", "groups": groups, "notes": notes(groups),
             "cards": page_text.three_numbers(statistics), "film": played,
             "figures": [f for f in of_all if f is not shown], "of_points": [f for f in of_points if f is not shown],
             "numbers": page_tables.summary(groups), "necks": page_tables.necks(groups), "sweep": page_tables.sweep(statistics),

@@ -7,7 +7,7 @@ from page_cells import number
 
 CAPTIONS = {
     "snapshots": "A burst: the arch before it, the burst, and the arch that ends it. Circles are particles seen along z, "
-                 "those in front on top, coloured by speed; ringed: the arch, particles that bear load next to the neck.",
+                 "those in front on top, coloured by speed; ringed: the arch, particles that bear load (two contacts or more) and close the neck as seen from the outlet.",
     "spatiotemporal": "Passages through the neck, one row a seed. Each passage is a black bar of width τ = d/v; grey: nothing passes.",
     "spatiotemporal_sweep": "The first seed of every point, as in the paper's figure 3: passages through the neck over the median length of these runs.",
     "necks": "Necks side by side. Left: passages of each with friction on, first seed; grey: a clog of all is cleared without friction, where nothing counts. Right: passages per clog "
@@ -23,7 +23,7 @@ CAPTIONS = {
               "lapses below 0.001 τ are not shown. "
               "b: arrests that survive a time (Kaplan-Meier with 95 % interval; arrests cut by a release or by the end of the run are censored). "
               "In a sweep, c: exponent of the arrests with its 95 % interval; open: releases cut the arrests, not fitted; a triangle hangs "
-              "on an upper bound; dotted: α = 2; dashed: fitted law.",
+              "on an upper bound; dotted: α = 2, where it is near; dashed: fitted law.",
     "series": "Number of particles in the domain, packing fraction of the channel and porosity of the strips; the factor q on the flow, and the pressure that drives it, where it is not steady.",
 }
 OF_A_POINT = ("snapshots", "series", "necks")  # one a group in a sweep

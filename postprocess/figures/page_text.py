@@ -105,7 +105,7 @@ def three_of_sweep(statistics):
     fit = trend["series"][0]["mean_burst"]
     if "refused" not in fit:
         misfit = f"the law misses the points: p = {fit['p_value']:.1g}" if fit["p_value"] <= 0.05 else ""
-        label = f"slope b of ⟨s⟩ = A exp(b x), x = {fit['x']}" + (f", {trend['series'][0]['label']}" if trend["series"][0]["label"] else "")
+        label = f"slope b of ⟨s⟩ = A exp(b x), x = {fit['x'].replace('^3', '³')}" + (f", {trend['series'][0]['label']}" if trend["series"][0]["label"] else "")
         cards.append(card(label, {"note": "of the weighted fit", **fit["b"]}, misfit))
     return cards
 
@@ -169,7 +169,8 @@ def methods(statistics, common):
     scene, shape = scene_of(group), group["geometry"]
 
     def given(section, key, otherwise=None):
-        return scene.get(section, {}).get(key, otherwise)
+        value = scene.get(section, {}).get(key, otherwise)
+        return value.replace(" um", " µm") if isinstance(value, str) else value
 
     ratio = f" (D/d = {span([g['geometry']['neck_ratio'] for g in statistics.groups if 'neck_ratio' in g['geometry']], 1, '')})" if "neck_ratio" in shape else ""
     friction = scene.get("contact", {}).get("friction", {})

@@ -18,7 +18,7 @@ import run_file
 from channel import UM
 
 MOST_FRAMES = 60
-MOST_BYTES = 6_000_000  # in the page
+MOST_BYTES = 4_500_000  # in the page
 FILM_BYTES = 2_800_000
 FEWEST_FRAMES = 3
 FRAMES = {"before": 8, "cleared": 10, "burst": 27, "after": 12}  # of a burst, beside its three moments

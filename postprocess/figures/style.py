@@ -128,6 +128,15 @@ def legend_beside(axes):
         figure.get_layout_engine().set(rect=(0, 0, panels / total, 1))
 
 
+def label_within_a_decade(axis):
+    """Minor marks of a logarithmic axis that spans less than a decade have labels: one power of ten alone tells no scale."""
+    low, high = axis.get_view_interval()
+    if high < 10 * low:
+        axis.set_major_formatter("{x:g}")
+        axis.set_minor_formatter("{x:g}")
+        axis.set_tick_params(which="minor", labelsize=points(7))
+
+
 def room_for_legend(axes):
     """Space above the data of a logarithmic axis for a legend with these entries."""
     handles, labels = axes.get_legend_handles_labels()
@@ -147,5 +156,6 @@ def save(figure, folder, name):
     paths = [Path(folder) / f"{name}.{kind}" for kind in metadata]
     for path, words in zip(paths, metadata.values()):
         figure.savefig(path, metadata=words)
+        figure.set_layout_engine("none")  # where things stand is settled
     plt.close(figure)
     return paths
