@@ -120,7 +120,7 @@ def draw_particles(axes, snapshot, norm):
     order = np.argsort(snapshot.position[:, 2])
     xy, radius = snapshot.position[order, :2] * channel.UM, snapshot.radius[order] * channel.UM
     circles = PatchCollection([Circle(p, r) for p, r in zip(xy, radius)], cmap=SPEED_COLOURS, norm=norm,
-                              edgecolor="#101820", linewidth=0.25, zorder=2)
+                              edgecolor="#dfe5ea", linewidth=0.35, zorder=2)
     circles.set_array(snapshot.speed[order] * MM)
     axes.add_collection(circles)
     return circles

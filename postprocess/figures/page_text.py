@@ -11,7 +11,11 @@ DIGITS = 3
 
 
 def scene_of(group):
-    return tomllib.loads(group["scene"])
+    """Of the effective scene; nothing where another program wrote one that is no TOML."""
+    try:
+        return tomllib.loads(group["scene"])
+    except tomllib.TOMLDecodeError:
+        return {}
 
 
 def span(values, scale, unit):
@@ -132,7 +136,8 @@ def flow_error(statistics, file):
         return [], ("These runs have no flow." if not hashes else
                     f"The error of the flow ({', '.join(sorted(hashes))}) is in its file: clog report DIR --flow flow.h5 tells it here.")
     name, record = read_flow(file)
-    if name not in hashes:
+    scaled = any(scene_of(g).get("flow", {}).get("rescale") for g in statistics.groups)
+    if name not in hashes and not scaled:
         raise SystemExit(f"{file}: not the flow of these runs (hash {name}; theirs is {', '.join(sorted(hashes)) or 'none'})")
     rows = [("hash", name), ("OpenFOAM", f"{record.get('openfoam_version', '?')}, {record.get('cells', 0):,} cells, {record.get('iterations', 0):.0f} iterations")]
     mesh, reading = record.get("mesh_error"), record.get("lookup_error")
@@ -147,6 +152,8 @@ def flow_error(statistics, file):
         rows.append(("largest error of the flow rate through a plane of the grid", percent(abs(record["grid_flux_largest_error"]))))
     if reading:
         rows.append(("what reading the grid adds in the neck, of its mean velocity", f"{percent(reading['nearest_in_neck'])} nearest point, {percent(reading['trilinear_in_neck'])} trilinear"))
+    if name not in hashes:
+        rows.append(("scaled from this flow to the rate of each scene (flow.rescale)", ", ".join(sorted(hashes))))
     if record.get("rescaled"):
         rows.append(("scaled from another flow rate", f"by {record['rescaled']['factor']:.4g}, which leaves out {percent(record['rescaled']['error'])}"))
     return rows, ""

@@ -128,7 +128,7 @@ def series(source: "Source", group: int = 0) -> "Figure":
 
 
 def save(figure: "Figure", folder: str | Path, name: str) -> list[Path]:
-    """As PNG and SVG, as the report does; closes the figure. Returns the paths."""
+    """As PNG, SVG and PDF, as the report does; closes the figure. Returns the paths."""
     import matplotlib
     style = scripts()["style"]
     with matplotlib.rc_context(style.LOOK):

@@ -41,6 +41,14 @@ def folder():
 
 
 @functools.cache
+def touching():
+    """A run whose snapshots hold the contacts."""
+    subprocess.run([PROGRAM, "run", "scene.toml", "--flow", "flow.h5", "--out", "touching", "--seeds", "3", "--set", "output.contacts=true",
+                    "--set", "output.checkpoint_interval=60 s"], cwd=folder(), check=True, capture_output=True)
+    return folder() / "touching/run_0003.h5"
+
+
+@functools.cache
 def known():
     """A folder of runs with made-up passages: bursts with short lapses inside, arrests from a Pareto law between them."""
     made = folder() / "known"
