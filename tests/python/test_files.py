@@ -56,7 +56,7 @@ class Tables(unittest.TestCase):
         with self.assertRaises(IndexError):
             run.snapshots[len(run.snapshots)]
 
-    def test_contacts_are_there_where_they_were_recorded_and_balance(self):
+    def test_contacts_are_there_where_they_were_recorded_and_those_overlap(self):
         self.assertIsNone(self.run_file.snapshots[0].contacts)
         run = clogflow.Run(fixtures.touching())
         with h5py.File(run.path) as file:

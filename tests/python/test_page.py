@@ -29,8 +29,8 @@ PASSAGES = np.array([2e-4, 3e-4, *np.linspace(7.4e-3, 9.4e-3, 9)])
 def make_run(name, contacts=False, mixed=False):
     """A run of the real program with passages that are made up, so that it holds a burst with snapshots before, in and after it."""
     folder = fixtures.folder() / name
-    words = {"unclog.protocol": "none", "time.end": "20 ms", "output.snapshot_interval": "0.25 ms", "output.checkpoint_interval": "60 s",
-             "output.contacts": "true" if contacts else "false"}
+    words = {"unclog.protocol": "none", "time.end": "20 ms", "output.snapshot_interval": "0.25 ms", "output.checkpoint_interval": "60 s"}
+    words |= fixtures.TOUCHING if contacts else {}
     subprocess.run([fixtures.PROGRAM, "run", "scene.toml", "--flow", "flow.h5", "--out", folder, "--seeds", "3",
                     *[word for key, value in words.items() for word in ("--set", f"{key}={value}")]],
                    cwd=fixtures.folder(), check=True, capture_output=True)
