@@ -340,7 +340,8 @@ TEST_F(Report, a_missing_module_is_named) {
   const Environment override("CLOG_PYTHON",
                              interpreter("echo \"ModuleNotFoundError: No module named 'h5py'\" >&2\nexit 1"));
   EXPECT_THAT(refusal([&] { make_report(here_, here_); }),
-              AllOf(HasSubstr("No module named 'h5py'"), HasSubstr("apt-get install python3-matplotlib python3-h5py python3-jinja2")));
+              AllOf(HasSubstr("No module named 'h5py'"),
+                    HasSubstr("apt-get install python3-matplotlib python3-h5py python3-jinja2")));
 }
 
 TEST_F(Report, an_interpreter_that_is_killed_is_no_missing_module) {
