@@ -72,6 +72,15 @@ void for_each_quantity(Snapshot& snapshot, const Visit& visit) {
   visit("torque", snapshot.torque, "N m", 3);
 }
 
+// The contacts of one snapshot; `width` numbers a contact.
+template <class Contacts, class Visit>
+void for_each_contact_column(Contacts& contacts, const Visit& visit) {
+  visit("a", contacts.a, "1", 1);
+  visit("b", contacts.b, "1", 1);
+  visit("normal", contacts.normal, "1", 3);
+  visit("force", contacts.force, "N", 3);
+}
+
 bool is_ordered(const std::vector<double>& times) {
   return std::ranges::is_sorted(times) && std::ranges::all_of(times, [](double t) { return std::isfinite(t); });
 }
@@ -105,6 +114,26 @@ bool cut_rows(RunData& run, const RunRows& rows) {
 namespace {
 
 enum class Part { all, events };
+
+/// Columns of one length, between particles of the snapshot or with a wall.
+std::string fault_in_contacts(const RunData::Snapshot& snapshot) {
+  const RunData::Contacts& contacts = snapshot.contacts;
+  std::string wrong;
+  for_each_contact_column(contacts, [&](const char* name, const auto& values, const char*, std::size_t width) {
+    if (wrong.empty() && values.size() != width * contacts.a.size())
+      wrong = fmt::format("/contacts/{} has {} numbers for {} contacts at {} s", name, values.size(), contacts.a.size(),
+                          snapshot.time);
+  });
+  if (!wrong.empty() || contacts.a.empty()) return wrong;
+  std::vector<std::int64_t> known = snapshot.id;
+  std::ranges::sort(known);
+  const auto is_unknown = [&](std::int64_t id) { return !std::ranges::binary_search(known, id); };
+  for (std::size_t k = 0; k < contacts.a.size(); ++k)
+    if (is_unknown(contacts.a[k]) || (contacts.b[k] != -1 && is_unknown(contacts.b[k])))
+      return fmt::format("/contacts names the particles {} and {} at {} s, of which one is not there", contacts.a[k],
+                         contacts.b[k], snapshot.time);
+  return {};
+}
 
 std::string fault_in(const RunData& run, Part part) {
   std::string wrong;
@@ -152,6 +181,8 @@ std::string fault_in(const RunData& run, Part part) {
     if (wrong.empty() && !snapshot.species.empty() && snapshot.species.size() != snapshot.id.size())
       wrong = fmt::format("/snapshots/species has {} numbers for {} particles at {} s", snapshot.species.size(),
                           snapshot.id.size(), snapshot.time);
+  for (const RunData::Snapshot& snapshot : run.snapshots)
+    if (wrong.empty()) wrong = fault_in_contacts(snapshot);
   if (!wrong.empty()) return wrong;
   if (!is_ordered(run.passages.time)) return "/passages/time is not in ascending order, or not finite";
   if (!is_ordered(run.series.time)) return "/series/time is not in ascending order, or not finite";
@@ -214,14 +245,55 @@ void write_snapshots(Hdf5Writer& out, const std::vector<RunData::Snapshot>& snap
   if (!all.species.empty()) out.write("/snapshots/species", all.species, {.unit = "1", .shape = {}});
 }
 
-// Where each snapshot begins, and where the last one ends.
-std::vector<std::size_t> read_bounds(const Hdf5Reader& in, std::size_t snapshots, std::size_t particles) {
-  const auto first = in.read<std::int64_t>("/snapshots/first", "1").values;
-  in.check(first.size() == snapshots, "/snapshots has arrays of different length");
+// Likewise; written even where nothing touches, so that a reader knows that contacts were looked at.
+void write_contacts(Hdf5Writer& out, const std::vector<RunData::Snapshot>& snapshots) {
+  RunData::Contacts all;
+  std::vector<std::int64_t> first;
+  for (const RunData::Snapshot& snapshot : snapshots) {
+    first.push_back(static_cast<std::int64_t>(all.a.size()));
+    const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+    append(all.a, snapshot.contacts.a);
+    append(all.b, snapshot.contacts.b);
+    append(all.normal, snapshot.contacts.normal);
+    append(all.force, snapshot.contacts.force);
+  }
+  out.write("/contacts/first", first, {.unit = "1", .shape = {}});
+  for_each_contact_column(all, [&](const std::string& name, const auto& values, const char* unit, std::size_t width) {
+    const std::size_t count = all.a.size();
+    out.write("/contacts/" + name, values,
+              {.unit = unit, .shape = width == 1 ? std::vector{count} : std::vector{count, width}});
+  });
+}
+
+// Where each snapshot begins in the arrays of a group, and where the last one ends.
+std::vector<std::size_t> read_bounds(const Hdf5Reader& in, const std::string& group, std::size_t snapshots,
+                                     std::size_t rows) {
+  const auto first = in.read<std::int64_t>(group + "/first", "1").values;
+  in.check(first.size() == snapshots, group + " has arrays of different length");
   std::vector<std::size_t> bounds(first.begin(), first.end());
-  bounds.push_back(particles);
-  in.check(std::ranges::is_sorted(bounds) && bounds[0] == 0, "/snapshots/first is impossible");
+  bounds.push_back(rows);
+  in.check(std::ranges::is_sorted(bounds) && bounds[0] == 0, group + "/first is impossible");
   return bounds;
+}
+
+// Rows from bounds[k] to bounds[k + 1], of `width` numbers each.
+template <class Values>
+Values rows_between(const Values& all, const std::vector<std::size_t>& bounds, std::size_t k, std::size_t width) {
+  const auto at = [&](std::size_t row) { return all.begin() + static_cast<std::ptrdiff_t>(width * row); };
+  return Values(at(bounds[k]), at(bounds[k + 1]));
+}
+
+void read_contacts(const Hdf5Reader& in, std::vector<RunData::Snapshot>& snapshots) {
+  RunData::Contacts all;
+  for_each_contact_column(all, [&](const std::string& name, auto& values, const char* unit, std::size_t width) {
+    using Value = typename std::remove_cvref_t<decltype(values)>::value_type;
+    values = in.read<Value>("/contacts/" + name, unit).values;
+    in.check(values.size() == width * all.a.size(), "/contacts has arrays of different length");
+  });
+  const std::vector<std::size_t> bounds = read_bounds(in, "/contacts", snapshots.size(), all.a.size());
+  for (std::size_t k = 0; k < snapshots.size(); ++k)
+    snapshots[k].contacts = {rows_between(all.a, bounds, k, 1), rows_between(all.b, bounds, k, 1),
+                             rows_between(all.normal, bounds, k, 3), rows_between(all.force, bounds, k, 3)};
 }
 
 std::vector<RunData::Snapshot> read_snapshots(const Hdf5Reader& in) {
@@ -236,13 +308,10 @@ std::vector<RunData::Snapshot> read_snapshots(const Hdf5Reader& in) {
     all.species = in.read<std::int64_t>("/snapshots/species", "1").values;
     in.check(all.species.size() == all.id.size(), "/snapshots has arrays of different length");
   }
-  const std::vector<std::size_t> bounds = read_bounds(in, time.size(), all.id.size());
+  const std::vector<std::size_t> bounds = read_bounds(in, "/snapshots", time.size(), all.id.size());
   std::vector<RunData::Snapshot> snapshots(time.size());
   for (std::size_t i = 0; i < snapshots.size(); ++i) {
-    const auto slice = [&](const auto& from, std::size_t width) {
-      const auto at = [&](std::size_t row) { return from.begin() + static_cast<std::ptrdiff_t>(width * row); };
-      return std::remove_cvref_t<decltype(from)>(at(bounds[i]), at(bounds[i + 1]));
-    };
+    const auto slice = [&](const auto& from, std::size_t width) { return rows_between(from, bounds, i, width); };
     RunData::Snapshot& snapshot = snapshots[i];
     snapshot.time = time[i];
     snapshot.id = slice(all.id, 1);
@@ -282,6 +351,7 @@ void write_run_file(const RunData& run, const std::filesystem::path& file) {
     if (!values.empty()) out.write("/series/" + column, values, {.unit = unit, .shape = {}});
   });
   write_snapshots(out, run.snapshots);
+  if (run.has_contacts) write_contacts(out, run.snapshots);
   out.write("/end_time", std::vector<double>{run.end_time}, {.unit = "s", .shape = {}});
   out.write("/provenance/seed", std::vector<std::uint64_t>{run.seed}, {.unit = "1", .shape = {}});
   out.write_text("/provenance/scene", run.scene_text);
@@ -327,6 +397,8 @@ RunData read_part(const std::filesystem::path& file, Part part) {
       if (in.has("/series/" + column)) values = in.read<double>("/series/" + column, unit).values;
     });
     run.snapshots = read_snapshots(in);
+    run.has_contacts = in.has("/contacts/first");
+    if (run.has_contacts) read_contacts(in, run.snapshots);
   }
   read_head(in, run);
   const std::string wrong = fault_in(run, part);

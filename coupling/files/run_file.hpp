@@ -53,6 +53,19 @@ struct RunData {
     std::vector<double> pressure_drop;  ///< over the whole channel; empty where it does not drive the flow [Pa]
   } series;
 
+  /// Who touches whom in a snapshot, and how hard; a row a contact. Films are none.
+  struct Contacts {
+    std::vector<std::int64_t> a, b;  ///< ids, a < b; b = -1 is a wall
+    std::vector<float> normal;       ///< from b to a [n][3] [-]
+    std::vector<float> force;        ///< on a, along the normal and across it; b gets the opposite [n][3] [N]
+
+    template <class Archive>
+    void exchange(Archive& archive) {
+      archive(a, b, normal, force);
+    }
+  };
+  bool has_contacts = false;  ///< whether snapshots tell of contacts (output.contacts)
+
   /// The state at one time; always at the start and at the end, every output.snapshot_interval, and
   /// during a burst as output.burst_snapshots says. Vectors are interleaved [n][3].
   struct Snapshot {
@@ -65,6 +78,7 @@ struct RunData {
     std::vector<double> spin;           ///< [rad/s]
     std::vector<double> force;          ///< of all kinds [N]
     std::vector<double> torque;         ///< [N m]
+    Contacts contacts;                  ///< empty unless RunData::has_contacts
 
     template <class Archive>
     void exchange(Archive& archive) {
@@ -87,6 +101,9 @@ struct RunData {
     auto& s = series;
     archive(s.time, s.count, s.porosity, s.packing_fraction, s.kinetic_energy, s.elastic_energy, s.largest_overlap,
             s.contacts, s.wall_contacts, s.drag_work, s.dissipated, s.median_speed, s.speed_q99, snapshots);
+    // Whether they are there is known from the scene.
+    if (has_contacts)
+      for (Snapshot& snapshot : snapshots) archive(snapshot.contacts);
   }
 };
 

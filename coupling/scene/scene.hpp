@@ -193,6 +193,7 @@ struct Scene {
   struct Output {
     double snapshot_interval = 0;    ///< [s]; 0: none
     double burst_snapshots = 0;      ///< between the first snapshots of a burst [s]; 0: none of their own
+    bool contacts = false;           ///< snapshots hold the forces between those that touch
     double series_interval = 0;      ///< [s]; default tau / 10
     double checkpoint_interval = 0;  ///< of wall-clock time [s]; default 60 s
   } output;

@@ -31,6 +31,7 @@ constexpr std::pair<std::string_view, std::string_view> later[] = {
     {"unclog.region", "0"},
     {"unclog.shortcut", "false"},
     {"inlet.concentration", "0"},
+    {"output.contacts", "false"},
     {"flow.drive", "\"rate\""},
     {"flow.oscillation.shape", "\"sine\""},
     {"particles.size_distribution", "\"normal\""},

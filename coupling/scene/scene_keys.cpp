@@ -192,6 +192,7 @@ std::vector<Key> make_keys() {
 
       NUMBER(output.snapshot_interval, time, non_negative, "default 0: no snapshots"),
       NUMBER(output.burst_snapshots, time, positive, "between the first 50 snapshots of each burst, then ever rarer; default: none beside those of snapshot_interval"),
+      SWITCH(output.contacts, "snapshots hold the force of each contact too; default false"),
       NUMBER(output.series_interval, time, positive, "default a tenth of the Stokes time"),
       NUMBER(output.checkpoint_interval, time, positive, "of wall-clock time; default 60 s"),
 

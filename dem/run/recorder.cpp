@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "coupling/base/quantile.hpp"
+#include "dem/contact/contact_forces.hpp"
 #include "dem/run/blow_up.hpp"
 #include "dem/run/whole_step.hpp"
 #include "dem/state/valid.hpp"
@@ -45,12 +47,44 @@ std::vector<Crossing> new_crossings(RunState& state) {
   return crossings;
 }
 
+/// By their numbers, each pair as the one with the lower number sees it: the same however the lists are sorted.
+RunData::Contacts contacts_of(const RunState& state) {
+  const Particles& p = state.particles;
+  struct Row {
+    std::int64_t a, b;
+    Vec3 normal, force;
+  };
+  std::vector<Row> rows;
+  for (const ContactForce& c :
+       contact_forces(p, state.lists.pairs, state.lists.walls, state.present(state.model.laws.pair),
+                      state.present(state.model.laws.wall.contact))) {
+    const std::int64_t own = p.id[c.particle], other = c.other < 0 ? -1 : p.id[c.other];
+    const bool turned = other >= 0 && other < own;
+    rows.push_back({turned ? other : own, turned ? own : other, turned ? Vec3(-c.normal) : c.normal,
+                    turned ? Vec3(-c.force) : c.force});
+  }
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const Row& x, const Row& y) { return std::pair(x.a, x.b) < std::pair(y.a, y.b); });
+  RunData::Contacts contacts;
+  const auto put = [](std::vector<float>& to, const Vec3& v) {
+    for (const double value : {v.x, v.y, v.z}) to.push_back(static_cast<float>(value));
+  };
+  for (const Row& row : rows) {
+    contacts.a.push_back(row.a);
+    contacts.b.push_back(row.b);
+    put(contacts.normal, row.normal);
+    put(contacts.force, row.force);
+  }
+  return contacts;
+}
+
 }  // namespace
 
 Recorder::Recorder(const Scene& scene, std::uint64_t seed)
     : bursts_(scene.output.burst_snapshots, scene.stokes_time()) {
   data.seed = seed;
   data.scene_text = effective_scene(scene);
+  data.has_contacts = scene.output.contacts;
 }
 
 void Recorder::look(RunState& state) {
@@ -113,6 +147,7 @@ void Recorder::snapshot(const RunState& state) {
     put(snapshot.force, total_force(state, i));
     put(snapshot.torque, {p[i].tx, p[i].ty, p[i].tz});
   }
+  if (data.has_contacts) snapshot.contacts = contacts_of(state);
   data.snapshots.push_back(std::move(snapshot));
 }
 

@@ -18,6 +18,7 @@ RunData nothing_of(const RunData& run) {
   RunData empty;
   empty.seed = run.seed;
   empty.scene_text = run.scene_text;
+  empty.has_contacts = run.has_contacts;
   return empty;
 }
 

@@ -1,6 +1,5 @@
 """Distribution of the burst sizes, P(s/<s>) (paper, figure 4)."""
 
-import matplotlib.pyplot as plt
 import numpy as np
 
 import fig_trend
@@ -26,7 +25,7 @@ def label_of(group, verdict):
 
 def draw_distribution(axes, statistics):
     colours = style.group_colours(len(statistics.groups))
-    largest, smallest, top, empty = 4.0, 0.05, 1.0, True
+    largest, smallest, top, empty = 0.0, np.inf, 0.0, True
     single = len(statistics.groups) == 1
     for index, group in enumerate(statistics.groups):
         rows = [row for row in statistics.rows("burst_distribution", index) if row["count"] > 0]
@@ -35,25 +34,26 @@ def draw_distribution(axes, statistics):
         empty = False
         x = np.array([row["s/<s> [1]"] for row in rows])
         p = np.array([row["P [1]"] for row in rows])
-        error = np.array([row["error [1]"] for row in rows])
-        # A single count has an error as large as itself: on a log axis its bar ends at half of it.
-        below = np.minimum(error, 0.5 * p)
+        error = style.TO_95 * np.array([row["error [1]"] for row in rows])
+        # The interval of a few counts reaches zero: on a log axis its bar ends not far below.
+        below = np.minimum(error, 0.7 * p)
         law = group["bursts"]["geometric"]
         if single:
             draw_geometric(axes, statistics.rows("burst_distribution", index), value(group, "mean_burst")[0], law["verdict"])
         axes.errorbar(x, p, yerr=[below, error], fmt=style.MARKERS[index % len(style.MARKERS)], ms=4, lw=0.8, capsize=0,
                       color=colours[index], mec="white", mew=0.4,
                       label=label_of(group, "\ngeometric law ruled out" if law["ruled_out"] and not single else ""))
-        largest, smallest, top = max(largest, x.max() * 1.08), min(smallest, 0.5 * p.min()), max(top, p.max())
+        largest, smallest, top = max(largest, x.max() * 1.08), min(smallest, (p - below).min()), max(top, (p + error).max())
     if not single:
-        x = np.linspace(0, largest, 100)
+        x = np.linspace(0, largest or 4, 100)
         axes.plot(x, np.exp(-x), color=style.GREY, ls="--", zorder=1,
                   label=r"$e^{-s/\langle s\rangle}$: geometric law at large $\langle s\rangle$")
     axes.set_yscale("log")
-    axes.set_xlim(0, largest)
-    axes.set_ylim(max(smallest, 1e-5), 2 * top)
     if empty:
         style.say(axes, "no burst that began and ended\nwithin the runs")
+        largest, smallest, top = 4.0, 0.05, 1.0
+    axes.set_xlim(0, largest)
+    axes.set_ylim(max(0.7 * smallest, 1e-5), 1.3 * top)
     axes.set_xlabel(r"burst size $s/\langle s\rangle$ [1]")
     axes.set_ylabel(r"probability density $P(s/\langle s\rangle)$ [1]")
     if len(statistics.groups) > style.MOST_GROUPS_INSIDE:
@@ -65,8 +65,8 @@ def draw_distribution(axes, statistics):
 
 def figures(statistics):
     sweep = fig_trend.exists(statistics)
-    figure, panels = plt.subplots(1, 2 if sweep else 1, figsize=(style.PAGE if sweep else 4.6, 3.3), squeeze=False)
-    draw_distribution(panels[0, 0], statistics)
+    figure, panels = style.row_of_panels(2 if sweep else 1, style.PAGE / 2 if sweep else 4.6, 3.3)
+    draw_distribution(panels[0], statistics)
     if sweep:
-        fig_trend.draw_mean_burst(panels[0, 1], statistics)
+        fig_trend.draw_mean_burst(panels[1], statistics)
     yield "bursts", figure

@@ -29,7 +29,7 @@ def steps_of(rows, largest):
     """n, S and its error as steps from (0, 1) on, S(n) from n on, level until the largest count."""
     n = np.array([0] + [row["n [1]"] for row in rows] + [largest])
     survival = np.array([1.0] + [row["S [1]"] for row in rows])
-    error = np.array([0.0] + [row["error [1]"] for row in rows])
+    error = style.TO_95 * np.array([0.0] + [row["error [1]"] for row in rows])
     return n, np.append(survival, survival[-1]), np.append(error, error[-1])
 
 
@@ -71,7 +71,7 @@ def draw_hazard(axes, rows, colour, marker):
 def figures(statistics):
     if not exists(statistics):
         return
-    figure, (above, below) = plt.subplots(2, 1, figsize=(4.6, 5.4), sharex=True, height_ratios=(3, 2))
+    figure, (above, below) = plt.subplots(2, 1, figsize=(style.width(4.6), 5.4), sharex=True, height_ratios=(3, 2))
     colours = style.group_colours(len(statistics.groups))
     lowest, empty = 0.5, True
     for index, group in enumerate(statistics.groups):

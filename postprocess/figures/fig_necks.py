@@ -62,7 +62,9 @@ def draw_means(axes, group, colours):
 
 
 def draw(group):
-    figure, (passages, means) = plt.subplots(1, 2, figsize=(style.PAGE, 2.7), width_ratios=(1.7, 1))
+    side_by_side = style.panels_in_row(2, 2.6) == 2
+    figure, (passages, means) = plt.subplots(*((1, 2) if side_by_side else (2, 1)), figsize=(style.width(style.PAGE), 2.7 if side_by_side else 5),
+                                             **({"width_ratios": (1.7, 1)} if side_by_side else {}))
     colours = [plt.get_cmap("viridis")(0.75 * k / (len(group["necks"]) - 1)) for k in range(len(group["necks"]))]
     draw_passages(passages, group, colours)
     draw_means(means, group, colours)

@@ -47,7 +47,7 @@ def draw(group):
         run["time"] = run["time"] / group["tau"]
     driven = [(column, label) for column, label in DRIVE if runs and all(column in run for run in runs)]
     rows = 3 + len(driven)
-    figure, panels = plt.subplots(rows, 1, figsize=(style.PAGE, 5.2 / 3 * rows), sharex=True)
+    figure, panels = plt.subplots(rows, 1, figsize=(style.width(style.PAGE), 5.2 / 3 * rows), sharex=True)
     for axes, column, label in ((panels[0], "count", "particles [1]"), (panels[1], "packing_fraction", "packing fraction [1]")):
         if runs:
             draw_lines(axes, runs, column, style.BLUE)

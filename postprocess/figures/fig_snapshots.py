@@ -8,6 +8,7 @@ from matplotlib.collections import PatchCollection
 from matplotlib.colors import Normalize
 from matplotlib.patches import Circle
 
+import arch
 import channel
 import run_file
 import style
@@ -16,6 +17,7 @@ from stats_files import suffix
 MM = 1e3
 SPEED_COLOURS = "viridis"   # dark at rest, light fast
 PANEL = 4.3                 # width of a panel [inch]
+STANDING = ("start", "arch", "new arch")  # moments of a clog
 
 
 @dataclass
@@ -118,15 +120,23 @@ def draw_particles(axes, snapshot, norm):
     order = np.argsort(snapshot.position[:, 2])
     xy, radius = snapshot.position[order, :2] * channel.UM, snapshot.radius[order] * channel.UM
     circles = PatchCollection([Circle(p, r) for p, r in zip(xy, radius)], cmap=SPEED_COLOURS, norm=norm,
-                              edgecolor="#101820", linewidth=0.25, zorder=2)
+                              edgecolor="#dfe5ea", linewidth=0.35, zorder=2)
     circles.set_array(snapshot.speed[order] * MM)
     axes.add_collection(circles)
     return circles
 
 
+def mark_arch(axes, snapshot, group):
+    """Rings around the particles that bear the load. Returns whether there is an arch."""
+    rows = arch.arch_of(snapshot, group["geometry"]) if group["geometry"]["present"] else []
+    rings = [Circle(snapshot.position[k, :2] * channel.UM, 0.93 * snapshot.radius[k] * channel.UM) for k in rows]
+    axes.add_collection(PatchCollection(rings, facecolor="none", edgecolor=style.RELEASE, linewidth=1.3, zorder=4))
+    return len(rows) > 0
+
+
 def say_time(axes, snapshot, group):
     axes.set_title(f"$t$ = {snapshot.time / group['tau']:.2f} $\\tau$ = {snapshot.time * MM:.1f} ms", loc="right",
-                   fontweight="normal", fontsize=8.5)
+                   fontweight="normal", fontsize=style.points(8.5))
 
 
 def speed_bar(figure, circles, beside):
@@ -151,7 +161,7 @@ def draw(statistics, index):
     group = statistics.groups[index]
     file, moments, titles = choose(statistics, index)
     if file is None:
-        figure, axes = plt.subplots(figsize=(style.PAGE, 1.6))
+        figure, axes = plt.subplots(figsize=(style.width(style.PAGE), 1.6))
         style.say(axes, "no snapshots in these runs (output.snapshot_interval)")
         axes.set_axis_off()
         return figure
@@ -162,11 +172,13 @@ def draw(statistics, index):
         frame(axes, group, snapshots)
         circles = draw_particles(axes, snapshot, norm)
         axes.set_ylabel(r"$y$ [µm]")
-        axes.set_title(f"{letter}  {title}".rstrip())
+        rings = title in STANDING and mark_arch(axes, snapshot, group)
+        axes.set_title(f"{letter}  {title}".rstrip() + (" (ringed)" if rings else ""))
         say_time(axes, snapshot, group)
     # Panels of equal scale on both axes fill the page only if its height follows from their shape.
     (left, right), (low, high) = panels[0, 0].get_xlim(), panels[0, 0].get_ylim()
-    figure.set_size_inches(PANEL + 1.5, len(moments) * (PANEL * (high - low) / (right - left) + 0.27) + 0.35)
+    panel = style.width(PANEL + 1.5) - 1.5
+    figure.set_size_inches(panel + 1.5, len(moments) * (panel * (high - low) / (right - left) + 0.27) + 0.35)
     panels[-1, 0].set_xlabel(r"$x$ [µm]")
     speed_bar(figure, circles, panels[:, 0])
     return figure

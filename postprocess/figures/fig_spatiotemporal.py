@@ -43,7 +43,7 @@ def draw_group(axes, group, title):
         released |= len(run.release_times) > 0
         draw_row(axes, run, row, group["tau"], end)
     axes.set_yticks(range(len(runs)), [str(entry["seed"]) for entry in runs])
-    axes.tick_params(axis="y", length=0, labelsize=7)
+    axes.tick_params(axis="y", length=0, labelsize=style.points(7))
     axes.set_ylim(len(runs) - 0.28, -0.6)
     axes.set_xlim(0, longest or 1)
     axes.set_ylabel("seed")
@@ -65,7 +65,7 @@ def key(axes, released):
 def draw_sweep(statistics):
     """The first seed of every ensemble, over the median of their lengths: small particles have longer runs in tau."""
     groups = statistics.groups
-    figure, axes = plt.subplots(figsize=(style.PAGE, 0.24 * len(groups) + 0.75))
+    figure, axes = plt.subplots(figsize=(style.width(style.PAGE), 0.24 * len(groups) + 0.75))
     released = False
     for row, group in enumerate(groups):
         run = run_file.read_events(group["runs"][0]["file"])
@@ -84,7 +84,7 @@ def draw(statistics):
     groups = statistics.groups
     rows = [min(len(group["runs"]), MOST_ROWS) for group in groups]
     height = sum(0.16 * n + 0.42 for n in rows) + 0.55
-    figure, panels = plt.subplots(len(groups), 1, figsize=(style.PAGE, height), squeeze=False, sharex=True,
+    figure, panels = plt.subplots(len(groups), 1, figsize=(style.width(style.PAGE), height), squeeze=False, sharex=True,
                                   gridspec_kw={"height_ratios": [n + 1 for n in rows]})
     released = False
     for axes, group in zip(panels[:, 0], groups):

@@ -21,7 +21,7 @@ def draw(results):
         axes.plot(setting["cost"], 100 * setting["error"], "o" if numerics else "x", color=colour, ms=5,
                   mfc=colour if setting.get("front") else "white")
         axes.annotate(setting["name"], (setting["cost"], 100 * setting["error"]), xytext=(3, 4),
-                      textcoords="offset points", fontsize=5.5, rotation=35)
+                      textcoords="offset points", fontsize=style.points(5.5), rotation=35)
     if measured:
         axes.set_xscale("log")
         axes.set_yscale("symlog", linthresh=5)

@@ -27,7 +27,7 @@ class Variable:
             axes.set_xlim(min(self.words) - 0.5, max(self.words) + 0.5)
 
 
-def draw_point(axes, x, entry, colour):
+def draw_point(axes, x, entry, colour, marker="o"):
     """Value with interval; a bound as a triangle that stands or hangs on it."""
     if entry["status"] == "lower bound":
         axes.plot(x, entry["low"], marker=CARETUPBASE, ms=7, color=colour)
@@ -37,10 +37,10 @@ def draw_point(axes, x, entry, colour):
         if entry["low"] is not None:
             axes.plot([x, x], [entry["low"], entry["high"]], color=colour, lw=1)
         face = "white" if entry["status"] in CUT else colour
-        axes.plot(x, entry["value"], "o", ms=5, color=colour, mfc=face)
+        axes.plot(x, entry["value"], marker, ms=5, color=colour, mfc=face)
 
 
-def draw_law(axes, series, xs, quantity, scale, colour, symbol):
+def draw_law(axes, series, xs, quantity, scale, line, symbol):
     """The fitted exponential over the range of the points, with the interval of its slope."""
     fit = series[quantity]
     if "refused" in fit or len(xs) < 2:
@@ -48,17 +48,11 @@ def draw_law(axes, series, xs, quantity, scale, colour, symbol):
     x = np.linspace(min(xs), max(xs), 100)
     b = fit["b"]
     misfit = "" if fit["p_value"] > 0.05 else f"\nmisses the points: p = {fit['p_value']:.1g}"
-    axes.plot(x * scale, np.exp(fit["ln_A"]["value"] + b["value"] * x), "--", color=colour, lw=1.1, zorder=1,
+    axes.plot(x * scale, np.exp(fit["ln_A"]["value"] + b["value"] * x), ls=line, color=style.INK, lw=1.1, zorder=1,
               label=f"{symbol}, b = {b['value']:.3g} [{b['low']:.3g}, {b['high']:.3g}]{misfit}")
 
 
-def colours_of(statistics):
-    """One a point when there is a single series, as in the other panels; otherwise one a series."""
-    trend = statistics.data["trend"]
-    if len(trend["series"]) == 1:
-        return style.group_colours(len(trend["points"])), [style.INK]
-    series = style.group_colours(len(trend["series"]))
-    return [series[p["series"]] for p in trend["points"]], series
+LINES = ("--", "-.", ":", (0, (6, 1, 1, 1, 1, 1)))  # of the laws, one a series
 
 
 def right_edge(xs):
@@ -67,25 +61,26 @@ def right_edge(xs):
 
 
 def point_out(axes, x, point, colour):
-    axes.text(x, point["mean_burst"]["low"] * 0.8, f"D/d = {point['x']:.3g} →", ha="right", va="top", fontsize=7, color=colour)
+    axes.text(x, point["mean_burst"]["low"] * 0.8, f"D/d = {point['x']:.3g} →", ha="right", va="top", fontsize=style.points(7), color=colour)
 
 
 def draw(axes, statistics, quantity, transform, symbol):
     trend = statistics.data["trend"]
     variable = Variable(trend)
-    points, lines = colours_of(statistics)
+    colours = style.group_colours(len(statistics.groups))  # a colour is a scene, in every panel; a marker is a series
+    marker_of = [style.MARKERS[k % len(style.MARKERS)] for k in range(len(trend["series"]))]
     edge = right_edge([transform(p["x"]) for p in trend["points"] if p[quantity]["value"] is not None])
-    for point, colour in zip(trend["points"], points):
-        x = transform(point["x"])
+    for point in trend["points"]:
+        x, colour = transform(point["x"]), colours[point["group"]]
         if x > edge and point[quantity]["status"] == "lower bound":
             point_out(axes, edge * variable.scale, point, colour)
-        draw_point(axes, min(x, edge) * variable.scale, point[quantity], colour)
-    for index, (series, colour) in enumerate(zip(trend["series"], lines)):
+        draw_point(axes, min(x, edge) * variable.scale, point[quantity], colour, marker_of[point["series"]])
+    for index, series in enumerate(trend["series"]):
         mine = [p for p in trend["points"] if p["series"] == index]
         fitted = [transform(p["x"]) for p in mine if p[quantity]["status"] == "measured"]
         if series["label"]:
-            axes.plot([], [], "o", color=colour, label=style.plain(series["label"]))
-        draw_law(axes, series, fitted, quantity, variable.scale, colour, symbol)
+            axes.plot([], [], marker_of[index], color=style.GREY, label=style.plain(series["label"]))
+        draw_law(axes, series, fitted, quantity, variable.scale, LINES[index % len(LINES)], symbol)
     return variable
 
 
@@ -95,6 +90,7 @@ def draw_mean_burst(axes, statistics):
     variable.label(axes, r"$(D/d)^3$ [1]" if variable.is_ratio else None)
     axes.set_ylabel(r"mean burst size $\langle s\rangle$ [1]")
     style.room_for_legend(axes)
+    style.label_within_a_decade(axes.yaxis)
     style.legend(axes, loc="upper left")
 
 
@@ -108,15 +104,15 @@ def draw_alpha(axes, statistics):
     is_ratio = Variable(statistics.data["trend"]).is_ratio
     variable = draw(axes, statistics, "alpha", lambda x: x, r"$A\,e^{bD/d}$" if is_ratio else r"$A\,e^{bx}$")
     axes.set_yscale("log")
-    axes.yaxis.set_major_formatter("{x:g}")
-    axes.yaxis.set_minor_formatter("{x:g}")
-    axes.tick_params(axis="y", which="minor", labelsize=7)
-    axes.axhline(2, color=style.GREY, lw=0.8, ls=":")
+    low, high = axes.get_ylim()
+    if 0.8 * low < 2 < 1.2 * high:  # where it is near: half an axis without a point says nothing
+        axes.axhline(2, color=style.GREY, lw=0.8, ls=":")
     for status in CUT:
         if any(point["alpha"]["status"] == status for point in statistics.data["trend"]["points"]):
             axes.plot([], [], "o", color=style.INK, mfc="white", label=f"arrests {status}")
     if all(point["alpha"]["status"] == "no arrest" for point in statistics.data["trend"]["points"]):
         style.say(axes, r"no arrest ($T \geq T_{\min}$) in any run")
+    style.label_within_a_decade(axes.yaxis)
     variable.label(axes)
     axes.set_ylabel(r"exponent $\alpha$ ($T \geq T_{\min}$) [1]")
     style.room_for_legend(axes)

@@ -2,7 +2,7 @@
 "use strict";
 (function () {
 const box = document.getElementById("film");
-const film = JSON.parse(document.getElementById("film-data").textContent);
+const films = JSON.parse(document.getElementById("film-data").textContent);
 const find = (name) => box.querySelector(name);
 const canvas = find("canvas"), stage = find(".stage"), slider = find("input"), playButton = find(".play");
 const context = canvas.getContext("webgl", { antialias: true, alpha: true });
@@ -17,36 +17,64 @@ function bytes(text) {
   for (let k = 0; k < raw.length; ++k) all[k] = raw.charCodeAt(k);
   return all.buffer;
 }
-const rows = new Uint16Array(bytes(film.data)), columns = film.columns.length;
-const first = [0];
-for (const count of film.counts) first.push(first[first.length - 1] + count);
-const most = Math.max.apply(null, film.counts), frames = film.counts.length;
+function starts(counts) {
+  const first = [0];
+  for (const count of counts) first.push(first[first.length - 1] + count);
+  return first;
+}
+let film, rows, columns, first, frames, links, firstLink;  // of the film that is shown
 
-// Spheres: one shape, drawn once for each particle
+// One shape, drawn once for each particle
 const renderer = new THREE.WebGLRenderer({ canvas: canvas, context: context, antialias: true, alpha: true });
 renderer.setPixelRatio(Math.min(2, window.devicePixelRatio || 1));
 const scene = new THREE.Scene(), camera = new THREE.PerspectiveCamera(24, 1, 1, 10);
-const palette = new THREE.DataTexture(new Uint8Array(film.colours), film.colours.length / 3, 1, THREE.RGBFormat);
+const colours = films[0].colours;
+const palette = new THREE.DataTexture(new Uint8Array(colours), colours.length / 3, 1, THREE.RGBFormat);
 palette.minFilter = palette.magFilter = THREE.LinearFilter;
 palette.needsUpdate = true;
-const fine = most < 3000;
-const spheres = new THREE.InstancedBufferGeometry().copy(new THREE.SphereBufferGeometry(1, fine ? 28 : 12, fine ? 18 : 8));
-const place = new THREE.InstancedBufferAttribute(new Float32Array(4 * most), 4);
-const shade = new THREE.InstancedBufferAttribute(new Float32Array(most), 1);
-spheres.setAttribute("place", place);
-spheres.setAttribute("shade", shade);
-const balls = new THREE.Mesh(spheres, new THREE.ShaderMaterial({
-  uniforms: { palette: { value: palette } },
+function instances(shape, attributes, most) {
+  const geometry = new THREE.InstancedBufferGeometry().copy(shape);
+  for (const [name, width] of attributes) geometry.setAttribute(name, new THREE.InstancedBufferAttribute(new Float32Array(width * most), width));
+  return geometry;
+}
+function draw_only(geometry, count) {
+  for (const name of Object.keys(geometry.attributes)) if (geometry.attributes[name].isInstancedBufferAttribute) geometry.attributes[name].needsUpdate = true;
+  geometry.maxInstancedCount = geometry.instanceCount = count;  // one of them, by the version of three.js
+}
+const paper = new THREE.Color(0xf4f6f8);  // behind everything
+const balls = new THREE.Mesh(new THREE.BufferGeometry(), new THREE.ShaderMaterial({
+  uniforms: { palette: { value: palette }, paper: { value: paper }, pale: { value: 0 }, lift: { value: 0 } },
   vertexShader: `attribute vec4 place; attribute float shade; varying vec3 n, eye; varying float s;
     void main() { vec4 at = modelViewMatrix * vec4(place.xyz + place.w * position, 1.0);
       n = normalMatrix * position; eye = -at.xyz; s = shade; gl_Position = projectionMatrix * at; }`,
-  fragmentShader: `uniform sampler2D palette; varying vec3 n, eye; varying float s;
+  fragmentShader: `uniform sampler2D palette; uniform vec3 paper; uniform float pale, lift; varying vec3 n, eye; varying float s;
     void main() { vec3 m = normalize(n); float lit = max(0.0, dot(m, normalize(vec3(-0.5, 0.7, 1.0))));
       float rim = smoothstep(0.05, 0.35, dot(m, normalize(eye)));
-      gl_FragColor = vec4(texture2D(palette, vec2(s, 0.5)).rgb * (0.75 + 0.45 * lit) * (0.4 + 0.6 * rim) + 0.06 * lit + 0.10 * pow(lit, 24.0), 1.0); }`,
+      vec3 colour = texture2D(palette, vec2(s, 0.5)).rgb * (0.75 + 0.45 * lit) * (0.4 + 0.6 * rim) + 0.06 * lit + 0.10 * pow(lit, 24.0) + lift;
+      gl_FragColor = vec4(mix(colour, paper, pale), 1.0); }`,
 }));
 balls.frustumCulled = false;
 scene.add(balls);
+
+// Force chains: a tube a contact, from centre to centre or to the wall, as wide as the force that presses; drawn over pale spheres
+const pull = new THREE.Color(0x1f78c8), press = new THREE.Color(0x1d2733);
+const tubes = new THREE.Mesh(new THREE.BufferGeometry(), new THREE.ShaderMaterial({
+  uniforms: { press: { value: press }, pull: { value: pull } }, transparent: true,
+  vertexShader: `attribute vec3 one, other; attribute float force; varying vec3 n; varying float f;
+    void main() { vec3 along = normalize(other - one), side = normalize(cross(along, abs(along.z) < 0.9 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0)));
+      vec3 out_ = position.x * side + position.z * cross(along, side);
+      n = normalMatrix * out_; f = force;
+      gl_Position = projectionMatrix * modelViewMatrix * vec4(mix(one, other, position.y + 0.5) + abs(force) * out_, 1.0); }`,
+  fragmentShader: `uniform vec3 press, pull; varying vec3 n; varying float f;
+    void main() { float lit = max(0.0, dot(normalize(n), normalize(vec3(-0.5, 0.7, 1.0))));
+      gl_FragColor = vec4((f < 0.0 ? pull : press) * (0.75 + 0.35 * lit) + 0.12 * lit, 1.0); }`,
+}));
+tubes.frustumCulled = false;
+tubes.visible = false;
+tubes.renderOrder = 9;
+tubes.onBeforeRender = (renderer) => renderer.clearDepth();
+scene.add(tubes);
+const thickest = 0.3;  // of the largest particle's radius: the strongest force
 
 // Walls: thin glass, which shows most where it is seen along its face
 function corners(walls) {
@@ -62,23 +90,29 @@ function corners(walls) {
     for (const z of [0, top]) for (const k of face) all.push(around[k].x, around[k].y, z);
   return new Float32Array(all);
 }
-if (film.walls) {
+const glassColour = new THREE.Color(0x5c6e80), edgeColour = new THREE.Color(0x1d2733);
+const channel = new THREE.Group();
+scene.add(channel);
+function build_walls(walls) {
+  for (const part of channel.children.slice()) { channel.remove(part); part.geometry.dispose(); part.material.dispose(); }
+  if (!walls) return;
   const glass = new THREE.BufferGeometry();
-  glass.setAttribute("position", new THREE.BufferAttribute(corners(film.walls), 3));
+  glass.setAttribute("position", new THREE.BufferAttribute(corners(walls), 3));
   glass.computeVertexNormals();
-  scene.add(new THREE.Mesh(glass, new THREE.ShaderMaterial({
-    transparent: true, depthWrite: false, side: THREE.DoubleSide,
+  channel.add(new THREE.Mesh(glass, new THREE.ShaderMaterial({
+    transparent: true, depthWrite: false, side: THREE.DoubleSide, uniforms: { colour: { value: glassColour } },
     vertexShader: `varying vec3 n, eye; void main() { vec4 at = modelViewMatrix * vec4(position, 1.0);
       n = normalMatrix * normal; eye = -at.xyz; gl_Position = projectionMatrix * at; }`,
-    fragmentShader: `varying vec3 n, eye; void main() { float along = 1.0 - abs(dot(normalize(n), normalize(eye)));
-      gl_FragColor = vec4(0.36, 0.43, 0.50, 0.05 + 0.28 * along * along); }`,
+    fragmentShader: `uniform vec3 colour; varying vec3 n, eye; void main() { float along = 1.0 - abs(dot(normalize(n), normalize(eye)));
+      gl_FragColor = vec4(colour, 0.05 + 0.28 * along * along); }`,
   })));
-  scene.add(new THREE.LineSegments(new THREE.EdgesGeometry(glass, 25),
-    new THREE.LineBasicMaterial({ color: 0x1d2733, transparent: true, opacity: 0.55 })));
+  const edges = new THREE.LineSegments(new THREE.EdgesGeometry(glass, 25), new THREE.LineBasicMaterial({ transparent: true, opacity: 0.55 }));
+  edges.material.color = edgeColour;
+  channel.add(edges);
 }
 
 // View
-const low = new THREE.Vector3().fromArray(film.box[0]), high = new THREE.Vector3().fromArray(film.box[1]);
+const low = new THREE.Vector3(), high = new THREE.Vector3();
 const start = { yaw: -0.1, pitch: 0.45 };
 let yaw, pitch, away, middle, dirty = true;
 function basis() {
@@ -141,15 +175,15 @@ function draw() {
 let frame = -1, playing = false, due = 0;
 function show(k) {
   frame = Math.max(0, Math.min(frames - 1, k));
-  const count = film.counts[frame];
+  const count = film.counts[frame], place = balls.geometry.attributes.place.array, shade = balls.geometry.attributes.shade.array;
   for (let p = 0; p < count; ++p) {
     const row = columns * (first[frame] + p);
-    for (let c = 0; c < 3; ++c) place.array[4 * p + c] = film.low[c] + rows[row + c] * film.step[c];
-    shade.array[p] = Math.min(1, rows[row + 3] / 65535);
-    place.array[4 * p + 3] = columns > 4 ? rows[row + 4] * film.radius : film.radius;
+    for (let c = 0; c < 3; ++c) place[4 * p + c] = film.low[c] + rows[row + c] * film.step[c];
+    shade[p] = Math.min(1, rows[row + 3] / 65535);
+    place[4 * p + 3] = columns > 4 ? rows[row + 4] * film.radius : film.radius;
   }
-  place.needsUpdate = shade.needsUpdate = true;
-  spheres.maxInstancedCount = spheres.instanceCount = count;  // one of them, by the version of three.js
+  draw_only(balls.geometry, count);
+  if (tubes.visible) show_links(place);
   slider.value = frame;
   const words = "t = " + film.times[frame] + " ms" + (film.stages[frame] ? ", " + film.stages[frame] : "");
   slider.setAttribute("aria-valuetext", words);
@@ -157,6 +191,29 @@ function show(k) {
   for (const button of find(".stages").children) button.setAttribute("aria-current", button.textContent === film.stages[frame]);
   box.dataset.frame = frame;
   dirty = true;
+}
+function show_links(place) {
+  const { one, other, force } = tubes.geometry.attributes, count = film.contacts.counts[frame];
+  const widest = thickest * (columns > 4 ? 65535 : 1) * film.radius;
+  for (let k = 0; k < count; ++k) {
+    const link = 4 * (firstLink[frame] + k), a = 4 * links[link], b = 4 * links[link + 1];
+    for (let c = 0; c < 3; ++c) one.array[3 * k + c] = place[a + c];
+    if (links[link + 1] < 65535) for (let c = 0; c < 3; ++c) other.array[3 * k + c] = place[b + c];
+    else {  // a wall: at the end of the radius against its normal, whose height and turn are bytes
+      const z = (links[link + 3] >> 8) / 127.5 - 1, turn = (links[link + 3] & 255) / 128 * Math.PI, flat = Math.sqrt(Math.max(0, 1 - z * z));
+      [flat * Math.cos(turn), flat * Math.sin(turn), z].forEach((n, c) => { other.array[3 * k + c] = place[a + c] - place[a + 3] * n; });
+    }
+    force.array[k] = widest * Math.max(-1, Math.min(1, (links[link + 2] - 32768) / 32767));
+  }
+  draw_only(tubes.geometry, count);
+  box.dataset.links = count;
+}
+function show_chains(wanted) {
+  tubes.visible = wanted && !!film.contacts;
+  balls.material.uniforms.pale.value = tubes.visible ? 0.62 : 0;
+  find(".chains").setAttribute("aria-pressed", tubes.visible);
+  find(".force").hidden = !tubes.visible;
+  show(frame);
 }
 function play(wanted) {
   playing = wanted;
@@ -174,20 +231,12 @@ function tick(now) {
 }
 
 // Controls
-slider.max = frames - 1;
 slider.oninput = () => { play(false); show(+slider.value); };
 playButton.onclick = () => play(!playing);
 find(".back").onclick = () => step(-1);
 find(".on").onclick = () => step(1);
 find(".reset").onclick = reset;
-film.stages.forEach((name, k) => {
-  if (!name || name === film.stages[k - 1]) return;
-  const button = document.createElement("button");
-  button.type = "button";
-  button.textContent = name;
-  button.onclick = () => { play(false); show(k); };
-  find(".stages").appendChild(button);
-});
+find(".chains").onclick = () => show_chains(!tubes.visible);
 const held = new Map();
 stage.onpointerdown = (event) => {
   held.set(event.pointerId, event);
@@ -214,7 +263,7 @@ stage.addEventListener("wheel", (event) => {
   zoom(Math.exp(Math.max(-60, Math.min(60, event.deltaY)) * 0.003));
 }, { passive: false });
 const keys = { " ": () => play(!playing), ",": () => step(-1), ".": () => step(1), "+": () => zoom(0.85), "=": () => zoom(0.85), "-": () => zoom(1.18),
-  Home: () => { play(false); show(0); }, End: () => { play(false); show(frames - 1); }, 0: reset, Escape: () => stage.blur() };
+  Home: () => { play(false); show(0); }, End: () => { play(false); show(frames - 1); }, 0: reset, f: () => show_chains(!tubes.visible), Escape: () => stage.blur() };
 const arrows = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 stage.onkeydown = (event) => {
   if (event.ctrlKey || event.altKey || event.metaKey) return;
@@ -226,23 +275,87 @@ stage.onkeydown = (event) => {
   event.preventDefault();
 };
 
-// Colour bar
-const stops = [];
-for (let k = 0; k < film.colours.length; k += 3) stops.push("rgb(" + film.colours.slice(k, k + 3).join(",") + ")");
-find(".scale i").style.background = "linear-gradient(to right, " + stops.join(",") + ")";
-const rough = film.fastest / 4, ten = Math.pow(10, Math.floor(Math.log10(rough)));
-const interval = ten * [1, 2, 5, 10].find((each) => each * ten >= rough);
-for (let value = 0; value <= film.fastest * 1.0001; value += interval) {
-  const mark = document.createElement("span");
-  mark.textContent = +value.toPrecision(6);
-  mark.style.left = 100 * value / film.fastest + "%";
-  find(".ticks").appendChild(mark);
+// Another film
+function clear(parent) { while (parent.firstChild) parent.removeChild(parent.firstChild); }
+function put_ticks() {
+  const ticks = find(".ticks"), rough = film.fastest / 4, ten = Math.pow(10, Math.floor(Math.log10(rough)));
+  const interval = ten * [1, 2, 5, 10].find((each) => each * ten >= rough);
+  clear(ticks);
+  for (let value = 0; value <= film.fastest * 1.0001; value += interval) {
+    const mark = document.createElement("span");
+    mark.textContent = +value.toPrecision(6);
+    mark.style.left = 100 * value / film.fastest + "%";
+    ticks.appendChild(mark);
+  }
+}
+function put_stages() {
+  clear(find(".stages"));
+  film.stages.forEach((name, k) => {
+    if (!name || name === film.stages[k - 1]) return;
+    const button = document.createElement("button");
+    button.type = "button";
+    button.textContent = name;
+    button.onclick = () => { play(false); show(k); };
+    find(".stages").appendChild(button);
+  });
+}
+function load(k) {
+  film = films[k];
+  rows = new Uint16Array(bytes(film.data));
+  columns = film.columns.length;
+  first = starts(film.counts);
+  frames = film.counts.length;
+  const most = Math.max.apply(null, film.counts), fine = most < 3000;
+  balls.geometry.dispose();
+  balls.geometry = instances(new THREE.SphereBufferGeometry(1, fine ? 28 : 12, fine ? 18 : 8), [["place", 4], ["shade", 1]], most);
+  if (film.contacts) {
+    links = new Uint16Array(bytes(film.contacts.data));
+    firstLink = starts(film.contacts.counts);
+    tubes.geometry.dispose();
+    tubes.geometry = instances(new THREE.CylinderBufferGeometry(1, 1, 1, 10, 1, true), [["one", 3], ["other", 3], ["force", 1]],
+      Math.max(1, Math.max.apply(null, film.contacts.counts)));
+    find(".strongest").textContent = film.contacts.strongest;
+  }
+  find(".chains").hidden = !film.contacts;
+  build_walls(film.walls);
+  low.fromArray(film.box[0]);
+  high.fromArray(film.box[1]);
+  slider.max = frames - 1;
+  find(".caption").textContent = film.caption;
+  put_ticks();
+  put_stages();
+  reset();
+  box.dataset.film = k;
+  frame = Math.min(film.begin, frames - 1);
+  show_chains(tubes.visible);
+}
+const which = find(".which");
+if (films.length > 1) {
+  films.forEach((each, k) => which.appendChild(new Option(each.label, k)));
+  which.parentNode.hidden = false;
+  which.onchange = () => { const played = playing; load(+which.value); show(played ? 0 : film.begin); play(played); };
 }
 
-reset();
+// Light or dark, as the page is
+const stops = [];
+for (let k = 0; k < colours.length; k += 3) stops.push("rgb(" + colours.slice(k, k + 3).join(",") + ")");
+find(".scale i").style.background = "linear-gradient(to right, " + stops.join(",") + ")";
+function dress() {
+  const style = getComputedStyle(document.documentElement), dark = style.getPropertyValue("--dark").trim() === "1";
+  paper.set(style.getPropertyValue("--stage").trim() || "#f4f6f8");
+  glassColour.set(dark ? 0x9fb2c6 : 0x5c6e80);
+  edgeColour.set(dark ? 0xd5dde6 : 0x1d2733);
+  balls.material.uniforms.lift.value = dark ? 0.09 : 0;
+  press.set(dark ? 0xffffff : 0x1d2733);
+  pull.set(dark ? 0x6cb6ff : 0x1f78c8);
+  dirty = true;
+}
+dress();
+document.addEventListener("dress", dress);
+
+load(0);
 resize();
 if (window.ResizeObserver) new ResizeObserver(resize).observe(stage); else window.addEventListener("resize", resize);
-show(film.begin);
 requestAnimationFrame(tick);
 // It starts when it is first seen, unless the reader wants no motion.
 if (window.IntersectionObserver && !window.matchMedia("(prefers-reduced-motion: reduce)").matches) {

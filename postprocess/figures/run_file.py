@@ -1,5 +1,6 @@
 """Reads the parts of a run file (run_NNNN.h5) that the figures need."""
 
+import json
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,17 +17,36 @@ class Events:
     passage_necks: np.ndarray  # of the passages; 0 where there is one neck
 
 
+WALL = -1  # in place of a particle
+
+
+@dataclass
+class Contacts:
+    a: np.ndarray       # [m] row of the particle in its snapshot
+    b: np.ndarray       # [m] of the other, or WALL
+    normal: np.ndarray  # [m][3] from b to a
+    force: np.ndarray   # [m] along it: above 0 presses, below pulls [N]
+
+    def among(self, kept):
+        """Those between particles that are kept (a flag each), or with a wall; rows count these alone."""
+        row = np.append(np.where(kept, np.cumsum(kept) - 1, -2), WALL)  # the last stands for the wall
+        a, b = row[self.a], row[self.b]
+        whole = (a >= 0) & (b >= WALL)
+        return Contacts(a[whole], b[whole], self.normal[whole], self.force[whole])
+
+
 @dataclass
 class Snapshot:
     time: float           # [s]
     position: np.ndarray  # [n][3] [m]
     speed: np.ndarray     # [n] [m/s]
     radius: np.ndarray    # [n] [m]
+    contacts: Contacts = None  # where they were recorded (output.contacts)
 
     def beyond(self, x):
         """Those that lie downstream of a place [m]."""
         kept = self.position[:, 0] >= x
-        return Snapshot(self.time, self.position[kept], self.speed[kept], self.radius[kept])
+        return Snapshot(self.time, self.position[kept], self.speed[kept], self.radius[kept], self.contacts and self.contacts.among(kept))
 
 
 @contextmanager
@@ -52,6 +72,12 @@ def read_series(path):
         return {name: file[f"series/{name}"][:] for name in always + driven if name in always or name in file["series"]}
 
 
+def read_record(path):
+    """Who wrote the file, where, how fast: coupling/files/run_record.hpp."""
+    with opened(path) as file:
+        return json.loads(file["provenance/record"][()].decode())
+
+
 def snapshot_times(path):
     with opened(path) as file:
         return file["snapshots/time"][:]
@@ -63,10 +89,23 @@ def read_snapshots(path, places):
         group = file["snapshots"]
         times = group["time"][:]
         first = [*group["first"][:], len(group["id"])]
+        links = file.get("contacts")
+        begins = [*links["first"][:], len(links["a"])] if links else None
+
+        def contacts_of(k, ids):
+            within = slice(int(begins[k]), int(begins[k + 1]))
+            order = np.argsort(ids)
+
+            def row(name):
+                return order[np.searchsorted(ids, links[name][within], sorter=order).clip(max=len(ids) - 1)] if len(ids) else np.zeros(0, int)
+
+            normal = links["normal"][within]
+            return Contacts(row("a"), np.where(links["b"][within] < 0, WALL, row("b")), normal, np.sum(normal * links["force"][within], axis=1))
 
         def one(k):
             rows = slice(int(first[k]), int(first[k + 1]))
-            return Snapshot(float(times[k]), group["position"][rows], np.linalg.norm(group["velocity"][rows], axis=1), group["radius"][rows])
+            return Snapshot(float(times[k]), group["position"][rows], np.linalg.norm(group["velocity"][rows], axis=1), group["radius"][rows],
+                            contacts_of(k, group["id"][rows]) if links else None)
 
         return [one(k) for k in places]
 

@@ -11,11 +11,12 @@ import sys
 from pathlib import Path
 
 from paraview.simple import (ColorBy, GetActiveViewOrCreate, GetAnimationScene, GetColorTransferFunction, GetScalarBar, Glyph, Hide,
-                             OpenDataFile, Render, ResetCamera, SaveScreenshot, SetActiveSource, Show, Slice)
+                             OpenDataFile, Render, ResetCamera, SaveScreenshot, SetActiveSource, Show, Slice, Tube)
 
 WRITTEN_TO = ""  # clog export puts its folder here: ParaView's window does not tell a script where it stands
 FOLDER = Path(__file__).resolve().parent if "__file__" in globals() else Path(WRITTEN_TO or ".")
 QUALITY = 16  # pieces around a sphere
+FORCE = "normal force [N]"  # of the force chains, where contacts were recorded
 VELOCITY, RADIUS = "velocity [m/s]", "radius [m]"
 WIDTH, HEIGHT = 1600, 700  # of the picture
 INK = [0.11, 0.15, 0.2]
@@ -41,6 +42,21 @@ def show_particles(file, view):
     bar.Orientation, bar.WindowLocation, bar.ScalarBarLength = "Horizontal", "Lower Center", 0.4
     bar.TitleFontSize, bar.LabelFontSize, bar.TitleColor, bar.LabelColor = 14, 12, INK, INK
     return spheres
+
+
+def add_force_chains(file, view):
+    """A tube a contact, as wide as its force; waits to be switched on, with spheres that one then sees through."""
+    lines = OpenDataFile(str(file))
+    lines.UpdatePipeline()
+    strongest = max(lines.PointData[FORCE].GetRange()[1], 1e-300) if FORCE in lines.PointData.keys() else 1
+    bounds = lines.GetDataInformation().GetBounds()
+    tubes = Tube(Input=lines)
+    tubes.Scalars = ["POINTS", FORCE]
+    tubes.VaryRadius = "By Absolute Scalar"
+    tubes.Radius = 0.01 * (bounds[3] - bounds[2]) / strongest
+    ColorBy(Show(tubes, view), ("POINTS", FORCE))
+    Hide(tubes, view)
+    Hide(lines, view)
 
 
 def show_walls(file, view):
@@ -88,7 +104,8 @@ def save(picture, view):
 
 
 def main():
-    particles = sorted(FOLDER.glob("*.pvd"))
+    chains = sorted(FOLDER.glob("*_contacts.pvd"))
+    particles = sorted(set(FOLDER.glob("*.pvd")) - set(chains))
     if not particles and not (FOLDER / "walls.vtp").exists():
         raise SystemExit(f"{FOLDER}: nothing to show (clog export RUN.h5 --out FOLDER writes it)")
     view = GetActiveViewOrCreate("RenderView")
@@ -98,6 +115,8 @@ def main():
         view.ViewSize = [WIDTH, HEIGHT]
     shown = [show_particles(file, view) for file in particles]
     shown += [show_walls(file, view) for file in FOLDER.glob("walls.vtp")]
+    for file in chains:
+        add_force_chains(file, view)
     for file in sorted(FOLDER.glob("*.hdf")):
         add_flow(file, view)
     GetAnimationScene().PlayMode = "Snap To TimeSteps"

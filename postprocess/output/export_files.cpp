@@ -1,5 +1,6 @@
 #include "postprocess/output/export_files.hpp"
 
+#include <map>
 #include <numeric>
 
 #include <nlohmann/json.hpp>
@@ -28,23 +29,63 @@ std::string snapshot_file(const RunData::Snapshot& s) {
                                {"spin [rad/s]", 3, s.spin},   {"force [N]", 3, s.force},
                                {"torque [N m]", 3, s.torque}, {"id", 1, s.id}};
   if (!s.species.empty()) arrays.push_back({"species", 1, s.species});
-  return vtk_poly_data({.points = s.position, .corners = {}, .arrays = arrays, .time = s.time});
+  return vtk_poly_data({.points = s.position, .corners = {}, .lines = false, .arrays = arrays, .time = s.time});
 }
 
-/// The collection comes last: what it names is there.
-fs::path export_vtk(const RunData& run, const std::string& name, const fs::path& out) {
-  made(out / name);
+/// Where the particles of a snapshot stand, by their ids.
+std::map<std::int64_t, std::size_t> rows_of_ids(const RunData::Snapshot& s) {
+  std::map<std::int64_t, std::size_t> rows;
+  for (std::size_t i = 0; i < s.id.size(); ++i) rows.emplace(s.id[i], i);
+  return rows;
+}
+
+/// A line a contact, both of whose ends carry its forces: so tubes can be as wide as these.
+std::string contacts_file(const RunData::Snapshot& s) {
+  const RunData::Contacts& c = s.contacts;
+  const auto rows = rows_of_ids(s);
+  std::vector<double> points, normal_force, force;
+  std::vector<std::int64_t> id;
+  for (std::size_t k = 0; k < c.a.size(); ++k) {
+    const std::size_t a = rows.at(c.a[k]);
+    double along = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      along += static_cast<double>(c.normal[3 * k + axis]) * static_cast<double>(c.force[3 * k + axis]);
+    for (const bool far : {false, true}) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double place = s.position[3 * a + axis];
+        points.push_back(!far          ? place
+                         : c.b[k] >= 0 ? s.position[3 * rows.at(c.b[k]) + axis]
+                                       : place - s.radius[a] * static_cast<double>(c.normal[3 * k + axis]));
+        force.push_back(static_cast<double>(c.force[3 * k + axis]));
+      }
+      normal_force.push_back(along);
+      id.push_back(far ? c.b[k] : c.a[k]);
+    }
+  }
+  const std::vector<VtkArray> arrays{{"normal force [N]", 1, normal_force}, {"force [N]", 3, force}, {"id", 1, id}};
+  return vtk_poly_data({.points = points, .corners = {}, .lines = true, .arrays = arrays, .time = s.time});
+}
+
+/// A file for each snapshot. The collection comes last: what it names is there.
+template <class FileOf>
+fs::path export_collection(const RunData& run, const std::string& files, const fs::path& opened,
+                           const FileOf& file_of) {
   std::string collection =
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
       "<Collection>\n";
   for (std::size_t k = 0; k < run.snapshots.size(); ++k) {
-    const std::string file = fmt::format("{}/snapshot_{:05}.vtp", name, k);
-    publish_file(snapshot_file(run.snapshots[k]), out / file);
+    const std::string file = fmt::format("{}_{:05}.vtp", files, k);
+    publish_file(file_of(run.snapshots[k]), opened.parent_path() / file);
     collection += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", run.snapshots[k].time, file);
   }
-  const fs::path opened = out / (name + ".pvd");
   publish_file(collection + "</Collection>\n</VTKFile>\n", opened);
   return opened;
+}
+
+fs::path export_vtk(const RunData& run, const std::string& name, const fs::path& out) {
+  made(out / name);
+  if (run.has_contacts) export_collection(run, name + "/contacts", out / (name + "_contacts.pvd"), contacts_file);
+  return export_collection(run, name + "/snapshot", out / (name + ".pvd"), snapshot_file);
 }
 
 void widen(Box& box, const Vec3& low, const Vec3& high) {
@@ -87,7 +128,7 @@ fs::path export_walls(const Walls& walls, const fs::path& out) {
   std::vector<std::int64_t> corners(points.size() / 3);
   std::iota(corners.begin(), corners.end(), 0);
   const fs::path file = made(out) / "walls.vtp";
-  publish_file(vtk_poly_data({.points = points, .corners = corners, .arrays = {}, .time = {}}), file);
+  publish_file(vtk_poly_data({.points = points, .corners = corners, .lines = false, .arrays = {}, .time = {}}), file);
   return file;
 }
 

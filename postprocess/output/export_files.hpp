@@ -12,7 +12,9 @@ enum class ExportFormat { vtk, xyz };
 
 /// For ParaView NAME.pvd and a folder NAME with a .vtp for each snapshot; for OVITO NAME.xyz; NAME is that of the run
 /// file. A snapshot's file holds places, "radius [m]", "velocity [m/s]", "spin [rad/s]", "force [N]", "torque [N m]",
-/// id, and species where particles differ. The walls only widen the box of NAME.xyz.
+/// id, and species where particles differ. Of a run that recorded contacts NAME_contacts.pvd too: a line for each, from
+/// centre to centre or to the wall, with "normal force [N]", "force [N]" and the ids of its ends (a wall is -1).
+///  The walls only widen the box of NAME.xyz.
 /// \return the file to open  \throws Error without a snapshot, or when a file cannot be written
 std::filesystem::path export_run(const RunData& run, const std::string& name, const Walls& walls, ExportFormat format,
                                  const std::filesystem::path& out);

@@ -36,10 +36,10 @@ std::string how_it_failed(const ChildResult& child) {
 }
 
 void require_modules(const std::string& python) {
-  const ChildResult check = run_program({python, "-c", "import numpy, h5py, matplotlib"});
+  const ChildResult check = run_program({python, "-c", "import numpy, h5py, matplotlib, jinja2"});
   require(check.status <= killed, "{}: cannot load the modules of the figures ({})", python, how_it_failed(check));
   require(check.status == 0,
-          "{}: {} (figures need it): apt-get install python3-matplotlib python3-h5py, or set "
+          "{}: {} (figures need it): apt-get install python3-matplotlib python3-h5py python3-jinja2, or set "
           "CLOG_PYTHON to an "
           "interpreter that has them",
           python, last_line(check.output));
@@ -86,7 +86,7 @@ std::string of_environment(const char* variable, const std::string& otherwise) {
 }
 
 std::vector<fs::path> run_figure_script(const std::string& name, fs::path from, const fs::path& out,
-                                        const std::string& job) {
+                                        const std::string& job, const std::vector<std::string>& more) {
   const std::string python = of_environment("CLOG_PYTHON", "/usr/bin/python3");
   const fs::path scripts = of_environment("CLOG_FIGURES", (source_folder() / "postprocess/figures").string());
   const fs::path script = scripts / name;
@@ -94,8 +94,9 @@ std::vector<fs::path> run_figure_script(const std::string& name, fs::path from, 
   require_modules(python);
   const DrawingFolder drawn(out);
   if (!job.empty()) publish_file(job, from = drawn.path() / "job.json");
-  const ChildResult made =
-      run_program({python, "-B", script.string(), from.string(), drawn.path().string()}, drawn.lock());
+  std::vector<std::string> words{python, "-B", script.string(), from.string(), drawn.path().string()};
+  words.insert(words.end(), more.begin(), more.end());
+  const ChildResult made = run_program(words, drawn.lock());
   require(made.status == 0, "{}: no figures ({} failed: {})", out.string(), script.string(), how_it_failed(made));
   std::vector<fs::path> files;
   std::istringstream in(made.output);

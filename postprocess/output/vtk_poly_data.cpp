@@ -51,8 +51,9 @@ std::string cells(Appended& appended, const char* kind, std::span<const std::int
 
 std::string vtk_poly_data(const VtkPolyData& data) {
   const std::size_t points = data.points.size() / 3;
-  std::vector<std::int64_t> vertices(data.corners.empty() ? points : 0);
+  std::vector<std::int64_t> vertices(data.corners.empty() && !data.lines ? points : 0), ends(data.lines ? points : 0);
   std::iota(vertices.begin(), vertices.end(), 0);
+  std::iota(ends.begin(), ends.end(), 0);
   Appended appended;
   std::string text =
       "<?xml version=\"1.0\"?>\n"
@@ -62,13 +63,15 @@ std::string vtk_poly_data(const VtkPolyData& data) {
         "<FieldData><DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{}"
         "</DataArray></FieldData>\n",
         *data.time);
-  text += fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfPolys=\"{}\">\n<PointData>\n", points,
-                      vertices.size(), data.corners.size() / 3);
+  text += fmt::format(
+      "<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"{}\" NumberOfPolys=\"{}\">\n<PointData>\n",
+      points, vertices.size(), ends.size() / 2, data.corners.size() / 3);
   for (const VtkArray& array : data.arrays)
     text += std::visit([&](auto values) { return data_array(appended, array.name, array.components, values); },
                        array.values);
   text += "</PointData>\n<Points>\n" + data_array(appended, "position [m]", 3, data.points) + "</Points>\n";
   text += cells(appended, "Verts", vertices, 1);
+  if (data.lines) text += cells(appended, "Lines", ends, 2);
   text += cells(appended, "Polys", data.corners, 3);
   return text + "</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_" + appended.bytes() +
          "\n</AppendedData>\n</VTKFile>\n";

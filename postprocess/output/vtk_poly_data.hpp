@@ -1,4 +1,5 @@
-// Points, triangles and what belongs to them as a VTK XML file (.vtp), which ParaView and VTK of any version open.
+// Points, triangles, lines and what belongs to them as a VTK XML file (.vtp), which ParaView and VTK of any version
+// open.
 #pragma once
 
 #include <cstdint>
@@ -17,10 +18,11 @@ struct VtkArray {
   std::variant<std::span<const double>, std::span<const std::int64_t>> values;
 };
 
-/// Points alone are drawn as vertices, otherwise their triangles. Nothing is copied.
+/// Points alone are drawn as vertices, otherwise their triangles or lines. Nothing is copied.
 struct VtkPolyData {
   std::span<const double> points;     ///< [n][3] [m]
-  std::vector<std::int64_t> corners;  ///< three point numbers a triangle; empty: points alone
+  std::vector<std::int64_t> corners;  ///< three point numbers a triangle; empty: points alone, or lines
+  bool lines = false;                 ///< the points are ends of lines, two and two
   std::vector<VtkArray> arrays;       ///< one row a point
   std::optional<double> time;         ///< as the field `TimeValue` [s]
 };

@@ -14,7 +14,7 @@ from .errors import ClogflowError, FileError, ProgramError
 from .flow import Flow
 from .program import TOP as _TOP
 from .program import find_program
-from .run_file import Run, Snapshot, Snapshots
+from .run_file import Contacts, Run, Snapshot, Snapshots
 from .scene import Scene
 from .simulate import export, plan, run, solve_flow
 from .statistics_files import Statistics, fit, statistics
@@ -22,5 +22,5 @@ from .tables import units
 
 __version__ = "0.2.0"
 SCENES = _TOP / "scenes"  #: folder of the scenes that come with the program
-__all__ = ["ClogflowError", "Ensemble", "FileError", "Flow", "ProgramError", "Run", "SCENES", "Scene", "Snapshot", "Snapshots",
+__all__ = ["ClogflowError", "Contacts", "Ensemble", "FileError", "Flow", "ProgramError", "Run", "SCENES", "Scene", "Snapshot", "Snapshots",
            "Statistics", "export", "figures", "find_program", "fit", "plan", "run", "solve_flow", "statistics", "units"]

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
     Source = Union[Ensemble, Run, Statistics]
 
-MODULES = ("style", "channel", "run_file", "stats_files", "fig_trend", "fig_snapshots", "fig_spatiotemporal", "fig_necks",
+MODULES = ("style", "channel", "run_file", "stats_files", "arch", "fig_trend", "fig_snapshots", "fig_spatiotemporal", "fig_necks",
            "fig_first_burst", "fig_bursts", "fig_lapses", "fig_series")
 
 
@@ -128,7 +128,7 @@ def series(source: "Source", group: int = 0) -> "Figure":
 
 
 def save(figure: "Figure", folder: str | Path, name: str) -> list[Path]:
-    """As PNG and SVG, as the report does; closes the figure. Returns the paths."""
+    """As PNG, SVG and PDF, as the report does; closes the figure. Returns the paths."""
     import matplotlib
     style = scripts()["style"]
     with matplotlib.rc_context(style.LOOK):

@@ -28,7 +28,26 @@ OPTIONAL = {
     "releases": {},
     "series": {"flow_factor": "1", "pressure_drop": "Pa"},
 }
+CONTACTS = {"a": "1", "b": "1", "normal": "1", "force": "N"}
 PARTICLES = {"id": "1", "radius": "m", "position": "m", "velocity": "m/s", "spin": "rad/s", "force": "N", "torque": "N m"}
+
+
+@dataclass(frozen=True)
+class Contacts:
+    """Who touches whom at one time, and how hard (`output.contacts`). Arrays have a row a contact; SI units. Films are none."""
+
+    a: np.ndarray  #: [m] id of a particle
+    b: np.ndarray  #: [m] id of the other, larger than a; -1 is a wall
+    normal: np.ndarray  #: [m, 3] from b to a, single precision
+    force: np.ndarray  #: [m, 3] on a, along the normal and across it; b gets the opposite [N]
+
+    def __len__(self) -> int:
+        return len(self.a)
+
+    @property
+    def normal_force(self) -> np.ndarray:
+        """[m] along the normal: above 0 presses, below pulls [N]"""
+        return np.sum(self.normal * self.force, axis=1)
 
 
 @dataclass(frozen=True)
@@ -44,6 +63,7 @@ class Snapshot:
     force: np.ndarray  #: [n, 3] of all kinds together [N]
     torque: np.ndarray  #: [n, 3] [N m]
     species: np.ndarray | None  #: [n] place in particles.species; None where particles are equal
+    contacts: Contacts | None = None  #: None where they were not recorded (output.contacts)
 
     def __len__(self) -> int:
         return len(self.id)
@@ -66,6 +86,10 @@ class Snapshots(Sequence):
         self._rows = np.append(first, end)
         if len(first) != len(self.times) or np.any(np.diff(self._rows) < 0):
             raise FileError(f"{path}: /snapshots/first does not say where the snapshots begin (the file is damaged)")
+        with opened(path, FORMAT) as file:
+            self._links = np.append(file.numbers("contacts/first", "1"), file.dataset("contacts/a", "1").shape[0]) if "contacts/first" in file else None
+        if self._links is not None and (len(self._links) != len(first) + 1 or np.any(np.diff(self._links) < 0)):
+            raise FileError(f"{path}: /contacts/first does not say where the contacts of a snapshot begin (the file is damaged)")
 
     def __len__(self) -> int:
         return len(self.times)
@@ -89,7 +113,11 @@ class Snapshots(Sequence):
         with opened(self._path, FORMAT) as file:
             columns = {name: file.numbers(f"snapshots/{name}", unit, rows) for name, unit in PARTICLES.items()}
             species = file.numbers("snapshots/species", "1", rows) if "snapshots/species" in file else None
-        return Snapshot(time=float(self.times[k]), species=species, **columns)
+            contacts = None
+            if self._links is not None:
+                within = slice(int(self._links[k]), int(self._links[k + 1]))
+                contacts = Contacts(**{name: file.numbers(f"contacts/{name}", unit, within) for name, unit in CONTACTS.items()})
+        return Snapshot(time=float(self.times[k]), species=species, contacts=contacts, **columns)
 
 
 class Run:

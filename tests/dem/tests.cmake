@@ -14,7 +14,7 @@ clog_tests(test_against_scalar
   LIBRARIES clog_dem LABELS unit)
 clog_tests(test_dem_parts
   SOURCES dem/run/test_passages.cpp dem/protocol/test_burst_clock.cpp dem/protocol/test_clog_watch.cpp dem/state/test_initial_particles.cpp
-          dem/contact/test_stl.cpp dem/contact/test_size_levels.cpp
+          dem/contact/test_stl.cpp dem/contact/test_size_levels.cpp dem/contact/test_contact_forces.cpp
   LIBRARIES clog_dem LABELS unit)
 clog_tests(test_fluid_parts
   SOURCES dem/fluid/test_flow_field.cpp dem/fluid/test_local_porosity.cpp dem/fluid/test_drag_readings.cpp

@@ -103,6 +103,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"Stop", {"unclog.protocol=stop", "inlet.start=flowing", "inlet.strain=0.5", "time.end=60 ms"}},
                     Case{"Restart", {"unclog.protocol=restart", "unclog.strain=0.5", "time.end=40 ms"}},
                     Case{"Poke", {"unclog.protocol=poke"}}, Case{"BurstSnapshots", {"output.burst_snapshots=20 us"}},
+                    Case{"Contacts", {"output.contacts=true", "output.snapshot_interval=1 ms"}},
                     Case{"ReleaseNearTheNeck", {"unclog.region=1"}},
                     Case{"RarePorosity", {"porosity.update_interval=1 ms", "porosity.strips=5"}},
                     Case{"Local", {"porosity.method=local", "porosity.update_interval=1 ms"}},

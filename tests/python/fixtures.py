@@ -22,6 +22,8 @@ PROGRAM = os.environ.get("CLOG", str(ROOT / "build/release/bin/clog"))
 # Seeds whose packs come to rest at once.
 STEADY = {"inlet.start": "filled", "unclog.protocol": "none", "particles.diameter": "45 um", "time.end": "200 ms",
           "output.checkpoint_interval": "60 s"}
+# A pack that a flow presses together, and whose snapshots hold the contacts.
+TOUCHING = {"output.contacts": "true", "drag.law": "hoef", "contact.restitution": "0.5", "output.checkpoint_interval": "60 s"}
 SEEDS = range(1, 41)
 TAU = 45e-6 / 5e-3  # [s]
 END = 0.2           # [s]
@@ -38,6 +40,14 @@ def scratch():
 def folder():
     """scene.toml, flow.h5, runs/ (seeds 3 and 4), stats/"""
     return crash_inputs.make(PROGRAM, scratch() / "made")
+
+
+@functools.cache
+def touching():
+    """A run of them."""
+    words = [word for key, value in TOUCHING.items() for word in ("--set", f"{key}={value}")]
+    subprocess.run([PROGRAM, "run", "scene.toml", "--flow", "flow.h5", "--out", "touching", "--seeds", "3", *words], cwd=folder(), check=True, capture_output=True)
+    return folder() / "touching/run_0003.h5"
 
 
 @functools.cache

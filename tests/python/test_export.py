@@ -76,6 +76,30 @@ def frames(file):
     return found
 
 
+class OfContacts(unittest.TestCase):
+    def test_a_line_a_contact_from_centre_to_centre_or_to_the_wall(self):
+        run = clogflow.Run(fixtures.touching())
+        done = clog("export", run.path, "--out", "exported_contacts", "--format", "vtk")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        out = fixtures.folder() / "exported_contacts"
+        sets = xml.etree.ElementTree.parse(out / "run_0003_contacts.pvd").getroot().findall("Collection/DataSet")
+        self.assertEqual([float(entry.get("timestep")) for entry in sets], list(run.snapshots.times))
+        k = max(range(len(sets)), key=lambda k: len(run.snapshots[k].contacts))
+        snapshot = run.snapshots[k]
+        contacts, data = snapshot.contacts, poly_data(out / sets[k].get("file"))
+        arrays, points = arrays_of(data), vtk_to_numpy(data.GetPoints().GetData()).reshape(-1, 2, 3)
+        self.assertEqual((data.GetNumberOfLines(), data.GetNumberOfVerts(), data.GetNumberOfPolys()), (len(contacts), 0, 0))
+        np.testing.assert_array_equal(arrays["id"].reshape(-1, 2), np.stack([contacts.a, contacts.b], axis=1))
+        np.testing.assert_array_equal(arrays["force [N]"].reshape(-1, 2, 3)[:, 1], contacts.force)
+        np.testing.assert_allclose(arrays["normal force [N]"].reshape(-1, 2)[:, 0], contacts.normal_force, rtol=1e-5)
+        a = np.searchsorted(snapshot.id, contacts.a)
+        np.testing.assert_array_equal(points[:, 0], snapshot.position[a])
+        pairs = contacts.b >= 0
+        np.testing.assert_array_equal(points[pairs, 1], snapshot.position[np.searchsorted(snapshot.id, contacts.b[pairs])])
+        np.testing.assert_allclose(np.linalg.norm(points[~pairs, 1] - points[~pairs, 0], axis=1), snapshot.radius[a][~pairs], rtol=1e-6)
+        self.assertGreater(np.count_nonzero(~pairs), 2)
+
+
 class OfARun(unittest.TestCase):
     @classmethod
     def setUpClass(cls):

@@ -56,6 +56,29 @@ class Tables(unittest.TestCase):
         with self.assertRaises(IndexError):
             run.snapshots[len(run.snapshots)]
 
+    def test_contacts_are_there_where_they_were_recorded_and_those_overlap(self):
+        self.assertIsNone(self.run_file.snapshots[0].contacts)
+        run = clogflow.Run(fixtures.touching())
+        with h5py.File(run.path) as file:
+            first, total = file["contacts/first"][:], len(file["contacts/a"])
+            for k, snapshot in enumerate(run.snapshots):
+                end = first[k + 1] if k + 1 < len(first) else total
+                self.assertEqual(len(snapshot.contacts), end - first[k])
+                for name in ("a", "b", "normal", "force"):
+                    self.assertTrue(np.array_equal(getattr(snapshot.contacts, name), file[f"contacts/{name}"][first[k]:end]), name)
+        last = run.snapshots[-1]
+        contacts = last.contacts
+        self.assertGreater(len(contacts), 10)
+        np.testing.assert_allclose(np.linalg.norm(contacts.normal, axis=1), 1, rtol=1e-6)
+        self.assertTrue(np.all(contacts.normal_force > 0))
+        # The normal of a pair runs from the centre of b to that of a, and these overlap.
+        pairs = contacts.b >= 0
+        a, b = (np.searchsorted(last.id, ids[pairs]) for ids in (contacts.a, contacts.b))
+        apart = last.position[a] - last.position[b]
+        distance = np.linalg.norm(apart, axis=1)
+        self.assertTrue(np.all(distance < last.radius[a] + last.radius[b]))
+        np.testing.assert_allclose(apart / distance[:, None], contacts.normal[pairs], atol=1e-6)
+
     def test_the_scene_is_in_si_units(self):
         scene = self.run_file.scene
         self.assertEqual(scene["particles.diameter"], 50e-6)

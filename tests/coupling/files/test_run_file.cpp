@@ -154,6 +154,50 @@ TEST(RunFile, SeveralNecksAreAColumnAndOneIsNone) {
   EXPECT_THAT(refusal([&] { write_run_file(run, file); }), HasSubstr("names a neck beyond the 2 of the record"));
 }
 
+/// The first snapshot has a pair and a touch of the wall, the others nothing.
+RunData run_with_contacts() {
+  RunData run = sample_run();
+  run.has_contacts = true;
+  const auto& id = run.snapshots[0].id;
+  run.snapshots[0].contacts = {{id[0], id[1]}, {id[1], -1}, {1, 0, 0, 0, 0, 1}, {2e-7f, 1e-8f, 0, 0, 0, 5e-8f}};
+  return run;
+}
+
+TEST(RunFile, ContactsAreThereOnlyWhereTheyWereLookedAt) {
+  const auto file = temporary("contacts.h5");
+  write_run_file(sample_run(), file);
+  EXPECT_FALSE(Hdf5Reader(file, {.name = "clogflow run", .version = 1}).has("/contacts"));
+  EXPECT_FALSE(read_run_file(file).has_contacts);
+  const RunData run = run_with_contacts();
+  write_run_file(run, file);
+  const RunData read = read_run_file(file);
+  EXPECT_TRUE(read.has_contacts);
+  for (std::size_t k = 0; k < run.snapshots.size(); ++k) {
+    const RunData::Contacts &mine = read.snapshots[k].contacts, &theirs = run.snapshots[k].contacts;
+    EXPECT_EQ(mine.a, theirs.a);
+    EXPECT_EQ(mine.b, theirs.b);
+    EXPECT_EQ(mine.normal, theirs.normal);
+    EXPECT_EQ(mine.force, theirs.force);
+  }
+  EXPECT_FALSE(read_run_events(file).has_contacts);  // statistics need none
+  RunData silent = sample_run();
+  silent.has_contacts = true;
+  write_run_file(silent, file);
+  EXPECT_TRUE(read_run_file(file).has_contacts);
+}
+
+TEST(RunFile, ImpossibleContactsAreRefused) {
+  const auto refused = [](auto change) {
+    RunData run = run_with_contacts();
+    change(run.snapshots[0].contacts);
+    return refusal([&] { write_run_file(run, temporary("refused.h5")); });
+  };
+  EXPECT_THAT(refused([](auto& c) { c.force.pop_back(); }), HasSubstr("/contacts/force has 5 numbers for 2 contacts"));
+  EXPECT_THAT(refused([](auto& c) { c.b.pop_back(); }), HasSubstr("/contacts/b has 1 numbers for 2 contacts"));
+  EXPECT_THAT(refused([](auto& c) { c.b[0] = 4711; }), HasSubstr("and 4711 at 0 s, of which one is not there"));
+  EXPECT_THAT(refused([](auto& c) { c.a[1] = -1; }), HasSubstr("/contacts names the particles -1 and -1"));
+}
+
 TEST(RunFile, ReaderRefusesOtherFormats) {
   const auto file = temporary("other.h5");
   Hdf5Writer(file, {.name = "clogflow run", .version = 9}).finish();

@@ -82,12 +82,13 @@ protected:
   std::filesystem::path here_;
 };
 
-TEST_F(Report, figures_in_both_formats_and_a_page_that_needs_no_other_file) {
+TEST_F(Report, figures_in_all_formats_and_a_page_that_needs_no_other_file) {
   make(write_ensemble(here_ / "runs", {.mean_burst = 5, .end = 0.3, .snapshot_interval = 0.01, .more = {}}, 2));
   for (const char* figure : {"snapshots", "spatiotemporal", "bursts", "lapses", "series"}) {
     const auto name = here_ / "report" / figure;
     EXPECT_THAT(text_of(name.string() + ".png"), StartsWith("\x89PNG")) << figure;
     EXPECT_THAT(text_of(name.string() + ".svg"), HasSubstr("</svg>")) << figure;
+    EXPECT_THAT(text_of(name.string() + ".pdf"), AllOf(StartsWith("%PDF"), HasSubstr("/FontFile2"))) << figure;
   }
   const auto page = text_of(here_ / "report" / "report.html");
   EXPECT_THAT(page, AllOf(HasSubstr("data:image/png;base64,"), HasSubstr("D/d = 3.03"), HasSubstr("neck_width"),
@@ -339,7 +340,8 @@ TEST_F(Report, a_missing_module_is_named) {
   const Environment override("CLOG_PYTHON",
                              interpreter("echo \"ModuleNotFoundError: No module named 'h5py'\" >&2\nexit 1"));
   EXPECT_THAT(refusal([&] { make_report(here_, here_); }),
-              AllOf(HasSubstr("No module named 'h5py'"), HasSubstr("apt-get install python3-matplotlib python3-h5py")));
+              AllOf(HasSubstr("No module named 'h5py'"),
+                    HasSubstr("apt-get install python3-matplotlib python3-h5py python3-jinja2")));
 }
 
 TEST_F(Report, an_interpreter_that_is_killed_is_no_missing_module) {
