@@ -51,6 +51,7 @@ int main(int argc, char** argv) {
   clogflow::cli::add_pack(app);
   clogflow::cli::add_info(app);
   clogflow::cli::add_export(app);
+  clogflow::cli::add_keys(app);
   try {
     check_verb(app, argc, argv);
     app.parse(argc, argv);
