@@ -17,8 +17,6 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 // In a cell of a table.
 std::string cell(const std::string& text) { return replaced(replaced(text, "|", "\\|"), "*", "\\*"); }
 
-std::string code(const std::string& text) { return text.empty() ? "" : '`' + text + '`'; }
-
 std::string kind_and_unit(const KeyEntry& entry) {
   return entry.unit.empty() ? entry.kind : fmt::format("{} [{}]", entry.kind, entry.unit);
 }
@@ -56,12 +54,15 @@ std::string keys_as_page(const std::vector<KeyEntry>& entries) {
   for (const KeyEntry& entry : entries) {
     if (section == nullptr || *section != entry.section) {
       page += fmt::format("\n## {}\n\n", heading(entry.section));
-      if (!entry.section.empty()) page += fmt::format("{}.\n\n", section_meaning(entry.section));
-      page += "| key | is | kind | allowed | default | example |\n| --- | --- | --- | --- | --- | --- |\n";
+      if (!entry.section.empty())
+        page += fmt::format("Section `[{}]`: {}.\n\n", entry.section, section_meaning(entry.section));
+      page += "| key | is | value | default |\n| --- | --- | --- | --- |\n";
     }
     section = &entry.section;
-    page += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", entry.name, cell(entry.meaning),
-                        cell(kind_and_unit(entry)), cell(entry.allowed()), cell(entry.fallback), code(entry.example));
+    const std::string allowed = entry.allowed();
+    page += fmt::format("| `{}` | {} | {}{}{}, as `{}` | {} |\n", entry.name, cell(entry.meaning),
+                        cell(kind_and_unit(entry)), allowed.empty() ? "" : ", ", cell(allowed), entry.example,
+                        cell(entry.fallback));
   }
   return page;
 }
