@@ -76,6 +76,7 @@ int main(int argc, char** argv) {
   add_pack(app);
   add_info(app);
   add_export(app);
+  add_keys(app);
   add_output_options(app, argc, argv);
   try {
     check_verb(app, argc, argv);

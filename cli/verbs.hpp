@@ -23,5 +23,6 @@ void add_trade(CLI::App& app);
 void add_pack(CLI::App& app);
 void add_info(CLI::App& app);
 void add_export(CLI::App& app);
+void add_keys(CLI::App& app);
 
 }  // namespace clogflow::cli

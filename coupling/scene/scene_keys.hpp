@@ -74,7 +74,9 @@ using Slot = std::variant<NumberSlot, AngleSlot, VectorSlot, CountSlot, SwitchSl
 struct Key {
   std::string_view path;  ///< "contact.friction.sliding"
   Slot slot;
-  std::string_view doc;  ///< one line for a human, with the default
+  /// One line for a human: "meaning", "meaning; default ..." or "meaning; required ...". Without the last two, a word
+  /// or a switch defaults to what a Scene holds, and all else to nothing. coupling/keys prints it.
+  std::string_view doc;
 };
 
 /// In the order in which a scene is printed.

@@ -1,6 +1,7 @@
 clog_tests(test_scene_reading
   SOURCES coupling/base/test_units.cpp coupling/scene/test_readable_scene.cpp coupling/scene/test_scene.cpp coupling/scene/test_scene_refusals.cpp
           coupling/scene/test_hostile_scene.cpp coupling/scene/test_sweep.cpp coupling/scene/test_particle_sizes.cpp
+          coupling/keys/test_key_reference.cpp
   LIBRARIES clog_coupling LABELS unit)
 clog_tests(test_flow_case
   SOURCES coupling/geometry/test_channel_geometry.cpp coupling/geometry/test_duct_flow.cpp
