@@ -211,14 +211,14 @@ struct Scene {
   /// Of the flow that the scene has: the mean over the wide channel, or the uniform one [m/s]; 0 without.
   double flow_speed() const;
 
-  /// Of a silo, whose particles fall along the channel and are not carried: g_x (1 - rho_f / rho_p) over the mass scale,
-  /// of particles.density [m/s2]; 0 elsewhere.
+  /// Of a silo, whose particles fall along the channel and are not carried: g_x (1 - rho_f / rho_p) over the mass
+  /// scale, of particles.density [m/s2]; 0 elsewhere.
   double fall_acceleration() const;
   bool falls() const { return fall_acceleration() > 0; }
 
   /// What speeds are compared with: flow_speed(), or sqrt(a D) of such a fall, the speed after half the neck's
-  /// width, which is that of the grains at the orifice within a factor of about two (Beverloo et al., Chem. Eng. Sci. 15
-  /// (1961) 260) [m/s]; 0 without either.
+  /// width, which is that of the grains at the orifice within a factor of about two (Beverloo et al., Chem. Eng. Sci.
+  /// 15 (1961) 260) [m/s]; 0 without either.
   double speed_scale() const;
 
   /// tau = d / v of that speed, the time a particle takes to travel its diameter [s]; 0 without.

@@ -205,8 +205,10 @@ void fill_times(SceneDraft& draft) {
   if (!draft.has("output.series_interval")) scene.output.series_interval = tau > 0 ? tau / 10 : scene.time.end / 1000;
   if (!draft.has("output.checkpoint_interval")) scene.output.checkpoint_interval = 60;
   if (!draft.has("unclog.after")) {
-    require(tau > 0 || scene.unclog.protocol == UnclogProtocol::none,
-            "{}: unclog.after is missing (a time, e.g. \"10 ms\"; there is no flow, nor gravity along x, to take it from)", draft.name);
+    require(
+        tau > 0 || scene.unclog.protocol == UnclogProtocol::none,
+        "{}: unclog.after is missing (a time, e.g. \"10 ms\"; there is no flow, nor gravity along x, to take it from)",
+        draft.name);
     scene.unclog.after = 5 * tau;
   }
   if (!draft.has("unclog.duration")) scene.unclog.duration = tau > 0 ? release_share * tau : 1.5e-3;

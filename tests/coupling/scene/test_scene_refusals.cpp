@@ -239,7 +239,10 @@ TEST(SceneRefusals, OfALaboratoryThatDisagrees) {
   };
   EXPECT_THAT(refused(channel, under(R"(gravity=["-9.81 m/s2", "0 m/s2", "0 m/s2"])")),
               HasSubstr("a flow must fill the channel, or gravity along +x in its place: set flow.source or gravity"));
-  EXPECT_NO_THROW(parse_scene(channel, "x", under(R"(gravity=["9.81 m/s2", "0 m/s2", "0 m/s2"])")));
+  Overrides falling = under(R"(gravity=["9.81 m/s2", "0 m/s2", "0 m/s2"])");
+  EXPECT_THAT(refused(channel, falling), HasSubstr("a flow must fill the channel"));  // as heavy as its fluid
+  falling.push_back("particles.density=2000 kg/m3");
+  EXPECT_NO_THROW(parse_scene(channel, "x", falling));
   EXPECT_THAT(refused(channel, {"contact.wall_restitution=0"}), HasSubstr("contact.wall_restitution"));
   EXPECT_THAT(refused(channel, {"contact.wall_restitution=1.5"}), HasSubstr("contact.wall_restitution"));
 }

@@ -70,11 +70,14 @@ TEST(Silo, FillsBehindItsGateClogsAndGoesOn) {
   EXPECT_GT(run.series.count.back(), 0.8 * static_cast<double>(run.series.count.front()));
 }
 
-TEST(Silo, StopsAtAClogThatIsProvedToRest) {
+TEST(Silo, StopsAtItsFirstClog) {
   const Scene s = silo({"inlet.start=filled", "unclog.protocol=stop", "particles.diameter=9.5 mm", "time.end=20 s"});
   const RunData run = Simulation(s, nullptr, 2).run();
   EXPECT_LT(run.end_time, 20);
-  EXPECT_TRUE(run.record.clog_proved.value_or(false));
+  // Without a fluid a pack trembles for long: it may be waited for instead of proved, four times unclog.after.
+  const double still = run.end_time - run.passages.time.back();
+  EXPECT_GE(still, s.unclog.after / 10);
+  EXPECT_LE(still, 4 * s.unclog.after + 2 * s.stokes_time());
 }
 
 TEST(Silo, MayRestartWithoutFriction) {
