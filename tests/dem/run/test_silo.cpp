@@ -1,7 +1,12 @@
 // A silo: particles fall through the channel, nothing flows. What speeds and times are then counted in, when a grain
 // passes, filling behind the gate, clogs and what clears them.
+#include <cmath>
+#include <numbers>
+#include <string_view>
+
 #include <gtest/gtest.h>
 
+#include "dem/plan/plan.hpp"
 #include "tests/dem/laboratory.hpp"
 
 namespace clogflow::test {
@@ -55,6 +60,23 @@ TEST(Silo, LetsAGrainPassAfterTheTimeOfItsFall) {
   const double dt = lab->model().dt, speed = std::sqrt(2 * 9.81 * 0.051);
   EXPECT_NEAR(run.passages.time[0], std::sqrt(2 * 0.051 / 9.81), 9.81 * dt * dt / speed);
   EXPECT_EQ(lab->particles().size(), 0u);
+}
+
+TEST(Silo, IsPlanned) {
+  const Scene s = silo({"inlet.start=filled", "unclog.protocol=poke"});
+  const Plan plan = make_plan(s);
+  const auto value = [&](std::string_view term) {
+    for (const PlannedTerm& t : plan.terms)
+      if (t.term == term) return t.value;
+    return 0.0;
+  };
+  EXPECT_DOUBLE_EQ(value("gravity"), s.speed_scale());
+  // Hertz: twenty weights press on a contact of E* = 10 MPa / (2 (1 - 0.04)) and R* = 2 mm.
+  const double load = 20 * 2500 * std::numbers::pi / 6 * 0.008 * 0.008 * 0.008 * 9.81;
+  const double overlap = std::pow(3 * load / (4 * 1e7 / 1.92 * std::sqrt(0.002)), 2.0 / 3);
+  EXPECT_NEAR(value("particle stiffness"), 0.008 / overlap, 1e-9 * 0.008 / overlap);
+  EXPECT_GT(plan.filling_steps, 0);
+  EXPECT_TRUE(std::isfinite(plan.filling_steps));
 }
 
 TEST(Silo, FillsBehindItsGateClogsAndGoesOn) {
