@@ -4,7 +4,9 @@
 two_necks: a chamber of 400 um x 100 um whose end wall has two necks, 100 um x 100 um each, side by side, 50 um
 of wall between them; both narrow from 150 um over 60 um, so that arches stand as in a single neck.
 pipe: a pipe of 300 um whose diameter falls smoothly to 100 um and stays there for 100 um.
-Lengths in micrometres, normals out of the fluid.
+silo: a cylinder of 60 mm, 80 mm high, whose flat bottom of 2 mm has an orifice of 20 mm in its middle. It falls along
+x, as all flows go.
+Lengths in micrometres, of the silo in millimetres; normals out of the fluid.
 """
 import math
 import sys
@@ -62,32 +64,46 @@ def two_necks():
     return prism(upper + lower, 100.0)
 
 
-def pipe():
-    sides, wide, neck = 48, 150.0, 50.0
-    straight, narrowing, neck_length, slices = 500.0, 150.0, 100.0, 12
+def revolved(profile, sides):
+    """Walls, inlet and outlet of a round device from the (x, radius) of its wall, inlet first."""
+    middle = profile[0][1]
 
     def ring(x, radius):
         return [(x, round(radius * math.cos(2 * math.pi * k / sides), 4) + 0.0,
-                 round(wide + radius * math.sin(2 * math.pi * k / sides), 4)) for k in range(sides)]
+                 round(middle + radius * math.sin(2 * math.pi * k / sides), 4)) for k in range(sides)]
 
-    def smooth(t):
-        return t * t * (3 - 2 * t)
-
-    rings = [ring(-narrowing - straight, wide)]
-    rings += [ring(-narrowing * (1 - i / slices), wide + smooth(i / slices) * (neck - wide)) for i in range(slices + 1)]
-    rings.append(ring(neck_length, neck))
+    rings = [ring(*place) for place in profile]
     parts = {"walls": [], "inlet": [], "outlet": []}
     for before, after in zip(rings, rings[1:]):
         for i in range(sides):
             j = (i + 1) % sides
             parts["walls"] += [(before[i], after[j], after[i]), (before[i], before[j], after[j])]
     for name, corners, turn in (("inlet", rings[0], 1), ("outlet", rings[-1], -1)):
-        centre = (corners[0][0], 0.0, wide)
+        centre = (corners[0][0], 0.0, middle)
         for i in range(sides):
             ends = (corners[i], corners[(i + 1) % sides])
             parts[name].append((centre, *ends[::-turn]))
     return parts
 
 
-for part, triangles in {"two_necks": two_necks, "pipe": pipe}[sys.argv[1]]().items():
-    facets(part, triangles)
+def pipe():
+    wide, neck = 150.0, 50.0
+    straight, narrowing, neck_length, slices = 500.0, 150.0, 100.0, 12
+
+    def smooth(t):
+        return t * t * (3 - 2 * t)
+
+    profile = [(-narrowing - straight, wide)]
+    profile += [(-narrowing * (1 - i / slices), wide + smooth(i / slices) * (neck - wide)) for i in range(slices + 1)]
+    return revolved(profile + [(neck_length, neck)], 48)
+
+
+def silo(radius=30.0, height=80.0, orifice=10.0, plate=2.0, cone=0.0, sides=48):
+    """A cylinder over a flat bottom, or over a cone as high as `cone`; the orifice lies in a plate."""
+    corner = [(-cone, radius)] if cone else [(0.0, radius)]
+    return revolved([(-cone - height, radius), *corner, (0.0, orifice), (plate, orifice)], sides)
+
+
+if __name__ == "__main__":
+    for part, triangles in {"two_necks": two_necks, "pipe": pipe, "silo": silo}[sys.argv[1]]().items():
+        facets(part, triangles)

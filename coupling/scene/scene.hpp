@@ -124,6 +124,7 @@ struct Scene {
     Friction wall_friction;          ///< default: friction
     double wall_youngs_modulus = 0;  ///< [Pa]; default youngs_modulus
     double wall_poisson_ratio = 0;   ///< [-]; default poisson_ratio
+    double wall_restitution = 0;     ///< of a dry head-on impact on a wall [-]; 0: restitution
   } contact;
 
   struct Lubrication {
@@ -211,7 +212,17 @@ struct Scene {
   /// Of the flow that the scene has: the mean over the wide channel, or the uniform one [m/s]; 0 without.
   double flow_speed() const;
 
-  /// tau = d / v, the time a particle takes to travel its diameter [s]; 0 without a flow.
+  /// Of a silo, whose particles fall along the channel and are not carried: g_x (1 - rho_f / rho_p) over the mass
+  /// scale, of particles.density [m/s2]; 0 elsewhere.
+  double fall_acceleration() const;
+  bool falls() const { return fall_acceleration() > 0; }
+
+  /// What speeds are compared with: flow_speed(), or sqrt(a D) of such a fall, the speed after half the neck's
+  /// width, which is that of the grains at the orifice within a factor of about two (Beverloo et al., Chem. Eng. Sci.
+  /// 15 (1961) 260) [m/s]; 0 without either.
+  double speed_scale() const;
+
+  /// tau = d / v of that speed, the time a particle takes to travel its diameter [s]; 0 without.
   double stokes_time() const;
 };
 

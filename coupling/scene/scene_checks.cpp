@@ -221,13 +221,16 @@ void check_terms(const SceneDraft& draft) {
           draft.name);
   require(scene.unclog.protocol == UnclogProtocol::none || shape, "{} (needs a [geometry] with neck_width)",
           draft.says("unclog.protocol"));
-  // What counts as rest is a share of the flow's speed.
-  require(scene.unclog.protocol == UnclogProtocol::none || scene.flow_speed() > 0,
-          "{} (needs a flow, which tells when a clog is at rest)", draft.says("unclog.protocol"));
-  require(!draft.has("output.burst_snapshots") || scene.flow_speed() > 0,
-          "{} (needs a flow: a burst is over when nothing has passed for d / v)", draft.says("output.burst_snapshots"));
-  require(!scene.inlet.enabled || scene.inlet.start == InletStart::empty || scene.flow_speed() > 0,
-          "{} (a flow must fill the channel: set flow.source, or inlet.start = \"empty\")", draft.says("inlet.start"));
+  // What counts as rest is a share of the flow's speed, or of that of a fall.
+  constexpr const char* silo = "or gravity along +x in its place";
+  require(scene.unclog.protocol == UnclogProtocol::none || scene.speed_scale() > 0,
+          "{} (needs a flow, {}, which tells when a clog is at rest)", draft.says("unclog.protocol"), silo);
+  require(!draft.has("output.burst_snapshots") || scene.speed_scale() > 0,
+          "{} (needs a flow, {}: a burst is over when nothing has passed for d / v)",
+          draft.says("output.burst_snapshots"), silo);
+  require(!scene.inlet.enabled || scene.inlet.start == InletStart::empty || scene.speed_scale() > 0,
+          "{} (a flow must fill the channel, {}: set flow.source or gravity, or inlet.start = \"empty\")",
+          draft.says("inlet.start"), silo);
   require(scene.porosity.method == PorosityMethod::strips || shape, "{} (needs a [geometry] with neck_width)",
           draft.says("porosity.method"));
 }

@@ -205,8 +205,10 @@ void fill_times(SceneDraft& draft) {
   if (!draft.has("output.series_interval")) scene.output.series_interval = tau > 0 ? tau / 10 : scene.time.end / 1000;
   if (!draft.has("output.checkpoint_interval")) scene.output.checkpoint_interval = 60;
   if (!draft.has("unclog.after")) {
-    require(tau > 0 || scene.unclog.protocol == UnclogProtocol::none,
-            "{}: unclog.after is missing (a time, e.g. \"10 ms\"; there is no flow to take it from)", draft.name);
+    require(
+        tau > 0 || scene.unclog.protocol == UnclogProtocol::none,
+        "{}: unclog.after is missing (a time, e.g. \"10 ms\"; there is no flow, nor gravity along x, to take it from)",
+        draft.name);
     scene.unclog.after = 5 * tau;
   }
   if (!draft.has("unclog.duration")) scene.unclog.duration = tau > 0 ? release_share * tau : 1.5e-3;
@@ -225,8 +227,17 @@ double Scene::flow_speed() const {
   return 0;
 }
 
+double Scene::fall_acceleration() const {
+  if (flow.source != FlowSource::none || !geometry.present || geometry.neck_width <= 0) return 0;
+  return std::max(0.0, gravity[0] * (1 - fluid.density / particles.density) / time.mass_scale);
+}
+
+double Scene::speed_scale() const {
+  return falls() ? std::sqrt(fall_acceleration() * geometry.neck_width) : flow_speed();
+}
+
 double Scene::stokes_time() const {
-  const double speed = flow_speed();
+  const double speed = speed_scale();
   return speed > 0 ? particles.diameter / speed : 0;
 }
 

@@ -146,6 +146,7 @@ std::vector<Key> make_keys() {
       NUMBER(contact.wall_friction.torsion, number, non_negative, "coefficient of torsion at walls; default: as between particles"),
       NUMBER(contact.wall_youngs_modulus, pressure, positive, "Young's modulus of the walls; default: as the particles"),
       NUMBER(contact.wall_poisson_ratio, number, (Range{.low = 0, .high = 0.5, .high_allowed = false}), "Poisson's ratio of the walls; default: as the particles"),
+      NUMBER(contact.wall_restitution, number, restitution, "restitution of a particle on a wall; default: as between particles"),
 
       SWITCH(lubrication.enabled, "normal lubrication between particles; default true when the section is present"),
       WORD(lubrication.below_roughness, "for gaps below 2 roughness: no force, or the force at 2 roughness; default off", "off", "clamp"),

@@ -9,19 +9,26 @@ namespace clogflow {
 
 namespace {
 
-ContactLaw contact_law(const Scene& scene, const Material& other, const Friction& friction) {
+struct Other {
+  Material material;
+  double restitution;
+  Friction friction;
+};
+
+/// Of a particle and what it meets.
+ContactLaw contact_law(const Scene& scene, const Other& other) {
   const auto& c = scene.contact;
   const std::string_view turning =
       c.torsion_update == TorsionUpdate::doubling ? "doubling" : std::string_view(c.turning);
   return make_contact_law(c.law, turning,
                           {.own = {c.youngs_modulus, c.poisson_ratio},
-                           .other = other,
-                           .restitution = c.restitution,
+                           .other = other.material,
+                           .restitution = other.restitution,
                            .tangential_factor = c.tangential_factor,
                            .tangential_damping = c.tangential_damping,
                            .stiffness = c.stiffness,
                            .surface_energy = c.surface_energy},
-                          {friction.sliding, friction.rolling, friction.torsion});
+                          {other.friction.sliding, other.friction.rolling, other.friction.torsion});
 }
 
 template <class Coefficients>
@@ -46,10 +53,12 @@ LubricationLaw lubrication_law(const Scene& scene) {
 Laws make_laws(const Scene& scene) {
   const Scene::Contact& c = scene.contact;
   Laws laws;
-  laws.pair = contact_law(scene, {c.youngs_modulus, c.poisson_ratio}, c.friction);
+  laws.pair = contact_law(scene, {{c.youngs_modulus, c.poisson_ratio}, c.restitution, c.friction});
   laws.pair_terms = contact_terms(c.friction);
   laws.film = lubrication_law(scene);
-  laws.wall.contact = contact_law(scene, {c.wall_youngs_modulus, c.wall_poisson_ratio}, c.wall_friction);
+  const double wall_restitution = c.wall_restitution > 0 ? c.wall_restitution : c.restitution;
+  laws.wall.contact =
+      contact_law(scene, {{c.wall_youngs_modulus, c.wall_poisson_ratio}, wall_restitution, c.wall_friction});
   laws.wall.terms = contact_terms(c.wall_friction);
   if (has_friction_of_species(scene.particles)) {
     laws.pair_friction = SpeciesFriction::between_particles(scene);

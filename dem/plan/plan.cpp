@@ -15,12 +15,14 @@
 #include "dem/physics/jkr.hpp"
 #include "dem/physics/laws/dmt.hpp"
 #include "dem/physics/material_pair.hpp"
+#include "dem/physics/porosity.hpp"
 #include "dem/physics/time_step.hpp"
 #include "dem/plan/plan_drive.hpp"
 #include "dem/plan/term_costs.hpp"
 #include "dem/run/initial_placement.hpp"
 #include "dem/run/model.hpp"
 #include "dem/stability/pack_estimates.hpp"
+#include "dem/state/external_force.hpp"
 
 namespace clogflow {
 
@@ -159,6 +161,14 @@ void judge_contacts(const Scene& s, const Model& model, const Judge& term) {
     term({"particle stiffness", "kappa = d / overlap in an arch", kappa, kappa < softest, true,
           "softer particles let arches buckle"});
   }
+  if (s.falls()) {
+    const double radius = d / 2, mass = s.time.mass_scale * s.particles.density * sphere_volume(radius);
+    const Vec3 weight = external_force(s, mass, radius);
+    const double kappa = d / model.laws.pair.overlap_at(arch_load * std::sqrt(dot(weight, weight)), d / 4);
+    term({"gravity", "v = sqrt(g D) [m/s]", s.speed_scale(), true, true, "drives everything; times count in d / v"});
+    term({"particle stiffness", "kappa = d / overlap in an arch", kappa, kappa < softest, true,
+          "softer particles let arches buckle"});
+  }
   if (s.geometry.present)
     term({"third dimension", "neck width / d", s.geometry.neck_width / d, true, true,
           s.geometry.neck_width / d < 3 ? "close to a single layer" : "arches are domes"});
@@ -239,7 +249,7 @@ void estimate_cost(const Scene& s, const Model& model, Plan& plan) {
     plan.particles +=
         (1 - pack_porosity) * channel_volume(s.geometry, start, 0) / ParticleSizes(s.particles).mean_volume();
     if (s.inlet.start != InletStart::empty)
-      plan.filling_steps = filling_share * s.geometry.channel_length / s.flow_speed() / model.dt;
+      plan.filling_steps = filling_share * s.geometry.channel_length / s.speed_scale() / model.dt;
     if (s.inlet.start == InletStart::flowing)
       plan.filling_steps = frictionless_time(s, s.inlet.strain, packing_of_start) / model.dt;
   }
@@ -269,6 +279,7 @@ void judge_flow(const Scene& s, Plan& plan) {
 }  // namespace
 
 double frictionless_time(const Scene& s, double strain, double packing) {
+  if (s.falls()) return strain * s.geometry.neck_width / (packing * s.speed_scale());
   const double carried = packing * s.flow_speed() / (s.drag.velocity == DragVelocity::mixture ? 1 : 1 - packing);
   const Geometry& g = s.geometry;
   return strain * g.neck_width * neck_section(g) / channel_flow_rate(g, carried);

@@ -29,7 +29,7 @@ constexpr double rest_share = 1e-3;
 
 double look_interval(const Scene& scene) { return look_share * scene.stokes_time(); }
 
-double rest_speed(const Scene& scene) { return rest_share * scene.flow_speed(); }
+double rest_speed(const Scene& scene) { return rest_share * scene.speed_scale(); }
 
 std::vector<int> near_neck(const Particles& p, const Scene& scene) {
   std::vector<int> near, all;

@@ -88,7 +88,7 @@ private:
   bool friction_off_ = false, stopped_ = false, proved_ = false, pokes_ = false;
 };
 
-/// Speed below which a particle counts as at rest: a thousandth of the mean flow velocity [m/s].
+/// Speed below which a particle counts as at rest: a thousandth of the scene's speed_scale() [m/s].
 double rest_speed(const Scene& scene);
 
 /// Between two looks at the column [s].

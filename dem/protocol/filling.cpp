@@ -73,7 +73,7 @@ double Filling::look_interval() const { return clogflow::look_interval(*scene_);
 double Filling::rest_speed() const { return clogflow::rest_speed(*scene_); }
 
 double Filling::longest_stage() const {
-  const double pass = scene_->geometry.channel_length / scene_->flow_speed();
+  const double pass = scene_->geometry.channel_length / scene_->speed_scale();
   if (stage_ == Stage::flow) return 2 * pass + longest_flow(*scene_, scene_->inlet.strain);
   return longest_rest * scene_->stokes_time() + (taps_ == 0 ? longest_fill : 1) * pass;
 }

@@ -27,7 +27,9 @@ std::int64_t particles_of_strain(const Scene& s, double strain) {
 }
 
 double longest_flow(const Scene& s, double strain) {
-  const double rate = channel_flow_rate(s.geometry, s.flow_speed());
+  // What falls has the speed in the neck, what is carried in the channel.
+  const double rate =
+      s.falls() ? neck_section(s.geometry) * s.speed_scale() : channel_flow_rate(s.geometry, s.flow_speed());
   return patience * solids(s, strain) / rate + least_patience * s.stokes_time();
 }
 

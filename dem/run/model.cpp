@@ -25,10 +25,11 @@ namespace {
 /// the cost only; tuned in flow at D/d = 3.
 constexpr double least_room_share = 0.05, widest_room_share = 0.3;
 
-/// v in v_c = 0.1 v, or the fastest initial particle as v_c where nothing flows.
+/// v in v_c = 0.1 v of what a flow carries; v itself of what falls, or the fastest initial particle where nothing
+/// drives.
 double collision_speed(const Scene& scene, const std::vector<Particle>& initial) {
   if (scene.flow_speed() > 0) return collision_speed_share * scene.flow_speed();
-  double fastest = 0;
+  double fastest = scene.speed_scale();
   for (const Particle& p : initial) fastest = std::max(fastest, p.velocity().norm());
   return fastest;
 }

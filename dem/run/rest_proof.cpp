@@ -35,9 +35,9 @@ bool rests_for_good(const RunState& state) {
     upstream.push_back(static_cast<int>(i));
   }
   if (speeds.empty()) return false;
-  const double flow = std::abs(drive.factor()) * s.flow_speed();
-  if (*std::max_element(speeds.begin(), speeds.end()) > rattler_share * flow) return false;
-  if (quantile(speeds, slow_majority) > rest_speed_share * flow) return false;
+  const double flow = std::abs(drive.factor()) * s.flow_speed(), scale = s.falls() ? s.speed_scale() : flow;
+  if (*std::max_element(speeds.begin(), speeds.end()) > rattler_share * scale) return false;
+  if (quantile(speeds, slow_majority) > rest_speed_share * scale) return false;
   std::vector<double> forces;
   for (const int i : upstream) {
     const double drive = stokes_coefficient(s.fluid.viscosity, 2 * p[i].radius) * flow +

@@ -99,7 +99,7 @@ double expected_load(const StepScene& asked, const Particle& sphere) {
 double expected_overlap(const StepScene& asked, const Particle& sphere, const std::vector<Particle>& initial) {
   const Scene& s = asked.scene;
   const double d = 2 * sphere.radius;
-  double impact = asked.factors.fastest * collision_speed_share * s.flow_speed();
+  double impact = s.falls() ? s.speed_scale() : asked.factors.fastest * collision_speed_share * s.flow_speed();
   for (const Particle& p : initial) impact = std::max(impact, p.velocity().norm());
   return std::max(asked.laws.pair.impact_overlap(sphere.mass / 2, impact, d / 4),
                   asked.laws.pair.overlap_at(expected_load(asked, sphere), d / 4));
@@ -124,7 +124,7 @@ double impact_limit(const Laws& laws, const Particle& sphere, double overlap) {
 /// The fastest that the flow or the start makes of any particle [m/s].
 double fastest_way(const StepScene& asked, const std::vector<Particle>& initial) {
   const Scene& s = asked.scene;
-  double speed = 0;
+  double speed = s.falls() ? s.speed_scale() : 0;
   for (const Particle& p : initial) speed = std::max(speed, p.velocity().norm());
   if (!s.drag.enabled) return speed;
   const double f = is_mixture(s) ? 1 : narrowed(s);

@@ -26,7 +26,7 @@ clog_tests(test_channel_parts
           dem/run/test_release_region.cpp dem/protocol/test_supply_watch.cpp
   LIBRARIES clog_dem LABELS unit)
 clog_tests(test_channel_runs
-  SOURCES dem/run/test_channel_runs.cpp dem/run/test_contact_lists.cpp dem/run/test_full_inlet.cpp
+  SOURCES dem/run/test_channel_runs.cpp dem/run/test_contact_lists.cpp dem/run/test_full_inlet.cpp dem/run/test_silo.cpp
           dem/run/test_rest_proof.cpp dem/run/test_similarity.cpp dem/run/test_driven_flow.cpp dem/run/test_threads.cpp
   LIBRARIES clog_dem LABELS slow)
 clog_tests(test_packing

@@ -121,6 +121,15 @@ TEST(ExactRestartScenes, TheChannelClogsAndIsReleased) {
   EXPECT_GT(std::ranges::count(run.states, true, &Saved::filling), 3);
 }
 
+TEST(ExactRestartScenes, ASiloThatIsPoked) {
+  const Scene scene =
+      small_channel({"flow.source=none", "gravity=[\"9.81 m/s2\", \"0 m/s2\", \"0 m/s2\"]", "time.mass_scale=1",
+                     "particles.density=2500 kg/m3", "drag.enabled=false", "lubrication.enabled=false",
+                     "contact.wall_restitution=0.5", "unclog.protocol=poke", "time.end=30 ms"});
+  ASSERT_TRUE(scene.falls());
+  expect_exact(scene, nullptr, 6);
+}
+
 /// Grains in a box that fall, rub and roll: no flow, no inlet.
 Scene shaken_box(const ScratchFile& particles) {
   Scene scene = laboratory_scene({.youngs_modulus = 1e7, .diameter = 0.01}, 2e-5);

@@ -156,6 +156,13 @@ SCENES = {
     "box_uniform_flow": Scene("uniform flow, drag, viscous torque, noise", box_text(
         **WET, flow__source='"uniform"', flow__velocity='["1 mm/s", "0 m/s", "2 mm/s"]', drag__viscous_torque="true",
         drag__fluctuation__strength=0.5, drag__fluctuation__time='"1 ms"', time__integrator='"implicit_drag"')),
+    "box_wall_restitution": Scene("walls that give back less than particles do", box_text(
+        **FULL_FRICTION, contact__wall_restitution=0.3), later=True),
+    "silo": Scene("grains that fall, clog and are poked, without a flow", channel(
+        gravity='["9.81 m/s2", "0 m/s2", "0 m/s2"]', flow__source='"none"', flow__mean_velocity=None,
+        flow__mesh_cells_per_neck=None, flow__grid_spacing=None, fluid__viscosity=None, fluid__density=None,
+        particles__density='"2500 kg/m3"', lubrication__enabled="false", drag__enabled="false", time__mass_scale=1,
+        unclog__protocol='"poke"', unclog__duration=None, time__end='"10 ms"'), later=True),
     "stl_box": Scene("walls from an STL file", box_text(**STL_BOX)),
     "channel": Scene("filled, released, all terms, explicit", channel(), "straight"),
     "channel_empty": Scene("empty start, a given rate of insertion, no release", channel(

@@ -6,29 +6,13 @@ import subprocess
 
 import numpy as np
 
+from dashpot import lammps_restitution, our_restitution
 from first_clog_case import (DENSITY, DIAMETER, DRAG, E, END, FRAME, LAST, LENGTH, NARROWING, NECK, NORMAL, NU,
                              PARTICLES, PLANE, RADIUS, REST, RESTITUTION, SHEAR, SPEED, START, STEP, VISCOSITY,
                              WAIT, WIDTH, first_clog)
 
 PARTS = 60, 120, LAST  # frames
 PAD = NECK / 4  # walls reach so far beyond each other
-SINE = -math.log(RESTITUTION) / math.hypot(math.log(RESTITUTION), math.pi)  # LIGGGHTS' beta
-
-
-def our_restitution():
-    """Of an impact that ends when the force is zero (Antypov & Elliott 2011 end it at no overlap), same dashpot."""
-    phi = math.asin(SINE)
-    return math.exp(-(math.pi - 2 * phi) * math.tan(phi))
-
-
-def lammps_restitution():
-    """Where LAMMPS' polynomial (Tsuji) is this dashpot, sqrt(5) beta."""
-    low, high = 0.0, 1.0
-    for _ in range(100):
-        e = (low + high) / 2
-        alpha = 1.2728 - 4.2783*e + 11.087*e**2 - 22.348*e**3 + 27.467*e**4 - 18.022*e**5 + 4.8218*e**6
-        low, high = (e, high) if alpha > math.sqrt(5) * SINE else (low, e)
-    return low
 
 
 def loop(again):
@@ -126,7 +110,7 @@ law = "stokes"
 [contact]
 youngs_modulus = "{E} Pa"
 poisson_ratio = {NU}
-restitution = {our_restitution()!r}
+restitution = {our_restitution(RESTITUTION)!r}
 {chr(10).join(f"{key} = {value}" for key, value in self.law.items())}
 friction.rolling = {rolling}
 [time]
@@ -220,7 +204,7 @@ class Lammps(Peer):
 
     def write(self, folder, places, rolling):
         (folder / "pack.data").write_text(data_file(places))
-        e = lammps_restitution()
+        e = lammps_restitution(RESTITUTION)
         tail = "damping tsuji limit_damping"
         pair = f"hertz/material {E!r} {e!r} {NU} tangential mindlin NULL 0.0 0.6 {self.rolling(RADIUS / 2, rolling)} {tail}"
         # For walls the release of 2021 takes E / (2 (1 - nu)) for E*: so its coefficients are given outright.

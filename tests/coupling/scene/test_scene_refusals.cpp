@@ -228,8 +228,23 @@ TEST(SceneRefusals, OfALaboratoryThatDisagrees) {
   EXPECT_THAT(
       refused(channel,
               {"flow.source=none", "inlet.enabled=false", "unclog.protocol=none", "output.burst_snapshots=1 ms"}),
-      HasSubstr("output.burst_snapshots = \"1 ms\" (needs a flow: a burst is over when nothing has passed for d / "
-                "v)"));
+      HasSubstr("output.burst_snapshots = \"1 ms\" (needs a flow, or gravity along +x in its place: a burst is over "
+                "when nothing has passed for d / v)"));
+  // What falls along the channel, and what does not.
+  const Overrides none = {"flow.source=none", "unclog.after=1 ms"};
+  const auto under = [&](const char* gravity) {
+    Overrides all = none;
+    all.push_back(gravity);
+    return all;
+  };
+  EXPECT_THAT(refused(channel, under(R"(gravity=["-9.81 m/s2", "0 m/s2", "0 m/s2"])")),
+              HasSubstr("a flow must fill the channel, or gravity along +x in its place: set flow.source or gravity"));
+  Overrides falling = under(R"(gravity=["9.81 m/s2", "0 m/s2", "0 m/s2"])");
+  EXPECT_THAT(refused(channel, falling), HasSubstr("a flow must fill the channel"));  // as heavy as its fluid
+  falling.push_back("particles.density=2000 kg/m3");
+  EXPECT_NO_THROW(parse_scene(channel, "x", falling));
+  EXPECT_THAT(refused(channel, {"contact.wall_restitution=0"}), HasSubstr("contact.wall_restitution"));
+  EXPECT_THAT(refused(channel, {"contact.wall_restitution=1.5"}), HasSubstr("contact.wall_restitution"));
 }
 
 TEST(SceneRefusals, OfWhatIsMissing) {

@@ -56,6 +56,14 @@ TEST(Impact, OfLimestoneSpheres) {
   EXPECT_NEAR(stone.duration, 54.2e-6, 2e-3 * 54.2e-6);
 }
 
+TEST(Impact, BetweenSpheresKnowsNothingOfTheWalls) {
+  Scene scene = laboratory_scene({48e9, 0.2, 2800, 0.02}, 1e-8);
+  scene.contact.restitution = 0.8;
+  const double alone = collide(scene, 20).restitution;
+  scene.contact.wall_restitution = 0.3;
+  EXPECT_EQ(collide(scene, 20).restitution, alone);
+}
+
 class Restitution : public testing::TestWithParam<double> {};
 
 TEST_P(Restitution, OutIsRestitutionIn) {
