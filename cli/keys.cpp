@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "cli/reference/verb_reference.hpp"
 #include "cli/output.hpp"
+#include "cli/reference/verb_reference.hpp"
 #include "cli/verbs.hpp"
 #include "coupling/keys/key_prints.hpp"
 
