@@ -40,8 +40,8 @@ double elastic_energy(const RunState& state) {
   state.lists.pairs.for_each_contact([&](int i, int j, const Springs<double>& springs) {
     const PairPlace<double> place = pair_place(p, i, j);
     const double distance = place.distance();
-    energy += laws.pair.stored_energy(place.contact(1 / distance, place.overlap(distance), reduced(p[i].mass, p[j].mass)),
-                                      springs);
+    energy += laws.pair.stored_energy(
+        place.contact(1 / distance, place.overlap(distance), reduced(p[i].mass, p[j].mass)), springs);
   });
   return energy;
 }
