@@ -17,7 +17,7 @@
 
 namespace {
 
-/// The others print none, or as `fit` nothing else.
+/// The other verbs have no results to read by a program, or, as `fit`, print JSON alone.
 constexpr std::array<std::string_view, 3> verbs_with_json{"plan", "info", "stats"};
 
 /// The library would call it an argument that was not expected. \throws CLI::ParseError

@@ -11,7 +11,8 @@ std::vector<ContactForce> contact_forces(const Particles& p, const Neighbours& p
     const PairPlace<double> place = pair_place(p, i, j);
     const double distance = place.distance();
     const double overlap = std::max(place.overlap(distance), -pair.reach(place.effective_radius()));
-    const ContactGeometry<double> contact = place.contact(1 / distance, overlap, reduced(p[i].mass, p[j].mass));
+    const ContactGeometry<double> contact =
+        place.contact(1 / distance * place.apart, overlap, reduced(p[i].mass, p[j].mass));
     const ContactMotion<double> motion{p[i].velocity() - p[j].velocity(), p[i].spin(), p[j].spin()};
     const ContactLaw law = pair.at(0.5 * (p[i].x + p[j].x), p.species[i], p.species[j]);
     all.push_back({i, j, contact.normal, law.loads(contact, motion, 0, springs).force});

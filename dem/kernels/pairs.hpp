@@ -75,7 +75,8 @@ Contacts collide(const PairTask& task, const typename Kind::Normal& law, const M
   const Lanes overlap = m.overlap();
   const Lanes least = least_overlap(law, m.place.effective_radius());
   const PairMotion moves = load_pair_motion<equal>(task, i, j);
-  const ContactGeometry<Lanes> contact = m.place.contact(m.per_distance, max(overlap, least), moves.mass);
+  const ContactGeometry<Lanes> contact =
+      m.place.contact(m.per_distance * m.place.apart, max(overlap, least), moves.mass);
   const ContactMotion<Lanes> motion{moves.velocity, load_spin(p, i), load_spin(p, j)};
   Springs<Lanes> springs = load_springs<terms>(task.contacts, from);
   const Lanes rough = rough_share(

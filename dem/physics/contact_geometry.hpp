@@ -58,13 +58,12 @@ struct PairPlace {
   Real effective_radius() const { return reduced(radius_i, radius_j); }
 
   /// The contact, whose point lies in the middle of the overlap: so the arms sum up to the distance.
-  /// \param per_distance  1 / distance [1/m]
-  /// \param overlap       as the law may be given it: not below the least at which it acts [m]
-  /// \param mass          m* [kg]
-  ContactGeometry<Real> contact(const Real& per_distance, const Real& overlap, const Real& mass) const {
+  /// \param normal   apart / distance, which who asks has at hand
+  /// \param overlap  as the law may be given it: not below the least at which it acts [m]
+  /// \param mass     m* [kg]
+  ContactGeometry<Real> contact(const Vector<Real>& normal, const Real& overlap, const Real& mass) const {
     const Real half(0.5);
-    return {per_distance * apart,     overlap, effective_radius(), mass, radius_i - half * overlap,
-            radius_j - half * overlap};
+    return {normal, overlap, effective_radius(), mass, radius_i - half * overlap, radius_j - half * overlap};
   }
 };
 

@@ -15,8 +15,9 @@ void add_pairs(NetworkLimit& network, const RunState& state) {
     const PairPlace<double> place = pair_place(p, i, j);
     const double distance = place.distance();
     const double overlap = std::max(place.overlap(distance), -laws.pair.reach(place.effective_radius()));
-    network.add_contact(
-        i, j, laws.pair.modes(laws.pair_terms, place.contact(1 / distance, overlap, reduced(p[i].mass, p[j].mass))));
+    network.add_contact(i, j,
+                        laws.pair.modes(laws.pair_terms, place.contact(1 / distance * place.apart, overlap,
+                                                                       reduced(p[i].mass, p[j].mass))));
   });
 }
 

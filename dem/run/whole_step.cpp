@@ -41,7 +41,7 @@ double elastic_energy(const RunState& state) {
     const PairPlace<double> place = pair_place(p, i, j);
     const double distance = place.distance();
     energy += laws.pair.stored_energy(
-        place.contact(1 / distance, place.overlap(distance), reduced(p[i].mass, p[j].mass)), springs);
+        place.contact(1 / distance * place.apart, place.overlap(distance), reduced(p[i].mass, p[j].mass)), springs);
   });
   return energy;
 }

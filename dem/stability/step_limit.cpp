@@ -116,8 +116,9 @@ bool films_brake(const StepScene& asked, double diameter) {
 /// Two equal spheres that meet along their normal.
 double impact_limit(const Laws& laws, const Particle& sphere, double overlap) {
   const double mass = sphere.mass / 2;
-  const ContactModes modes = laws.pair.modes(
-      {false, false, false}, PairPlace<double>{{1, 0, 0}, sphere.radius, sphere.radius}.contact(1, overlap, mass));
+  const ContactModes modes =
+      laws.pair.modes({false, false, false},
+                      PairPlace<double>{{1, 0, 0}, sphere.radius, sphere.radius}.contact({1, 0, 0}, overlap, mass));
   return stable_step(modes.mode[0].stiffness / mass, modes.mode[0].dashpot / mass);
 }
 
@@ -148,7 +149,7 @@ double pack_limit(const StepScene& asked, const Particle& sphere, const Particle
     network.add_contact(
         0, k + 1,
         asked.laws.pair.modes(asked.laws.pair_terms,
-                              PairPlace<double>{axes[k], r, neighbour.radius}.contact(1, overlap, mass)));
+                              PairPlace<double>{axes[k], r, neighbour.radius}.contact(axes[k], overlap, mass)));
   if (asked.has_walls)
     network.add_contact(
         0, -1, asked.laws.wall.contact.modes(asked.laws.wall.terms, wall_contact({0, 0, -1}, overlap, r, sphere.mass)));
@@ -173,7 +174,7 @@ Caught caught_between(const StepScene& asked, const Particle& sphere, const Part
     network.add_contact(
         0, k,
         asked.laws.pair.modes(asked.laws.pair_terms, PairPlace<double>{axis, sphere.radius, neighbour.radius}.contact(
-                                                         1, overlap, 1 / mobility(sphere, neighbour))));
+                                                         axis, overlap, 1 / mobility(sphere, neighbour))));
   }
   return {overlap, network.bound().step};
 }

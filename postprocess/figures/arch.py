@@ -1,4 +1,5 @@
-"""The arch of a clog in a snapshot: the particles that bear load and close the neck."""
+"""The arch of a clog in a snapshot as a viewer sees it: the particles that bear load and close the neck, however deep they stand.
+A poke takes out another set, what bears load within one diameter of the foremost (dem/run/arch.hpp)."""
 
 import numpy as np
 

@@ -78,7 +78,7 @@ def mark_threshold(axes, statistics):
 def draw_survival(axes, statistics):
     """Kaplan-Meier estimate for the arrests, censored ones included, and the two rival laws."""
     colours = style.group_colours(len(statistics.groups))
-    lowest, drawn = 0.6, False
+    lowest, drawn = 0.9, False
     for index, group in enumerate(statistics.groups):
         rows = statistics.rows("arrest_survival", index)
         if len(rows) < FEWEST_STEPS:

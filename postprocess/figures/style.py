@@ -142,7 +142,8 @@ def room_for_legend(axes):
     handles, labels = axes.get_legend_handles_labels()
     lines = sum(1 + label.count("\n") for label in labels) + (title_of(handles, labels) is not None)
     low, high = np.log(axes.get_ylim())
-    axes.set_ylim(top=np.exp(high + (high - low) * (0.04 + 0.075 * lines)))
+    share = 0.04 + 0.075 * lines  # of the height, once there is room
+    axes.set_ylim(top=np.exp(high + (high - low) * share / (1 - share)))
 
 
 def say(axes, text):

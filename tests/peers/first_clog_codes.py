@@ -6,6 +6,7 @@ import subprocess
 
 import numpy as np
 
+from begin import LAMMPS_BEGIN, LIGGGHTS_BEGIN
 from dashpot import lammps_restitution, our_restitution
 from first_clog_case import (DENSITY, DIAMETER, DRAG, E, END, FRAME, LAST, LENGTH, NARROWING, NECK, NORMAL, NU,
                              PARTICLES, PLANE, RADIUS, REST, RESTITUTION, SHEAR, SPEED, START, STEP, VISCOSITY,
@@ -165,14 +166,7 @@ class Liggghts(Peer):
         planes = [("x", START), ("y", -WIDTH / 2), ("y", WIDTH / 2), ("z", 0.0), ("z", NECK)]
         walls = "\n".join(f"fix plane{k} all wall/gran {law} primitive type 1 {x}plane {at!r} {options}"
                           for k, (x, at) in enumerate(planes))
-        (folder / "in.txt").write_text(f"""
-atom_style granular
-atom_modify map array
-boundary f f f
-newton off
-communicate single vel yes
-units si
-read_data pack.data
+        (folder / "in.txt").write_text(LIGGGHTS_BEGIN + f"""
 neighbor {0.1 * DIAMETER!r} bin
 neigh_modify delay 0
 hard_particles no
@@ -213,14 +207,7 @@ class Lammps(Peer):
         # At each beginning of a run it also turns the walls' restitution into a dashpot once more, so "pre no".
         lean = (WIDTH - NECK) / 2 / math.tan(math.radians(60)) * (1 + PAD / NECK)
         top, far = WIDTH / 2 + PAD, 3 * NECK
-        (folder / "in.txt").write_text(f"""
-units si
-atom_style sphere
-atom_modify map array
-boundary f f f
-newton off
-comm_modify vel yes
-read_data pack.data
+        (folder / "in.txt").write_text(LAMMPS_BEGIN + f"""
 neighbor {0.1 * DIAMETER!r} bin
 neigh_modify delay 0 every 1 check yes
 pair_style granular

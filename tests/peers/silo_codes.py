@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
+from begin import LAMMPS_BEGIN, LIGGGHTS_BEGIN
 from dashpot import lammps_restitution, our_restitution
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scenes"))
@@ -174,14 +175,7 @@ class Liggghts(Peer):
         def pairs(own, wall):
             return f"2 {own} {wall} {wall} {wall}"
 
-        (folder / "in.txt").write_text(f"""
-atom_style granular
-atom_modify map array
-boundary f f f
-newton off
-communicate single vel yes
-units si
-read_data pack.data
+        (folder / "in.txt").write_text(LIGGGHTS_BEGIN + f"""
 neighbor {0.2 * DIAMETER!r} bin
 neigh_modify delay 0
 hard_particles yes
@@ -211,14 +205,7 @@ class Lammps(Peer):
         wall = (f"hertz {4 / 3 * normal!r} {lammps_restitution(WALL_RESTITUTION)!r} tangential mindlin {8 * shear!r} 0.0 "
                 f"{WALL_FRICTION} {tail}")
         middle = f"0.0 {case.radius!r}"
-        (folder / "in.txt").write_text(f"""
-units si
-atom_style sphere
-atom_modify map array
-boundary f f f
-newton off
-comm_modify vel yes
-read_data pack.data
+        (folder / "in.txt").write_text(LAMMPS_BEGIN + f"""
 neighbor {0.2 * DIAMETER!r} bin
 neigh_modify delay 0 every 1 check yes
 pair_style granular
