@@ -19,9 +19,7 @@ struct FilmOptions {
 
 void read_time(const char* option, const std::string& text, double& time) {
   if (text.empty()) return;
-  const Quantity quantity = parse_quantity(text);
-  require(quantity.dimension == dimension::time, "{} {} (must be a time, such as '120 ms')", option, text);
-  time = quantity.si;
+  time = parse_option(option, text, dimension::time, "a time, such as '120 ms'");
 }
 
 }  // namespace

@@ -38,11 +38,9 @@ std::string command_of(const ReportOptions& options) {
 
 void read_look(ReportOptions& options) {
   if (!options.width.empty()) {
-    const Quantity width = parse_quantity(options.width);
-    require(width.dimension == dimension::length, "--figure-width {} (must be a length, such as '85 mm')",
-            options.width);
-    options.look.figure_width = width.si;
-    require(width.si > 0, "--figure-width {}: from {} to {} mm", options.width, 1e3 * postprocess::narrowest_figure,
+    const double width = parse_option("--figure-width", options.width, dimension::length, "a length, such as '85 mm'");
+    options.look.figure_width = width;
+    require(width > 0, "--figure-width {}: from {} to {} mm", options.width, 1e3 * postprocess::narrowest_figure,
             1e3 * postprocess::widest_figure);
   }
   if (!options.look.flow.empty()) {

@@ -59,12 +59,12 @@ auto without_mpi(const Launch& launch, const Work& work) {
 
 /// From now on; asks to stop like a signal of the user.
 void stop_after(const std::string& limit) {
-  const Quantity quantity = parse_quantity(limit);
-  require(quantity.dimension == dimension::time && quantity.si > 0 && quantity.si < longest_time_limit,
-          "--time-limit {} (must be a positive time below {:.0g} s, such as '55 min')", limit, longest_time_limit);
+  const std::string meaning = fmt::format("a positive time below {:.0g} s, such as '55 min'", longest_time_limit);
+  const double seconds = parse_option("--time-limit", limit, dimension::time, meaning);
+  require(seconds > 0 && seconds < longest_time_limit, "--time-limit {} (must be {})", limit, meaning);
   itimerval timer{};
-  timer.it_value.tv_sec = static_cast<time_t>(quantity.si);
-  timer.it_value.tv_usec = static_cast<suseconds_t>(1e6 * (quantity.si - std::floor(quantity.si)));
+  timer.it_value.tv_sec = static_cast<time_t>(seconds);
+  timer.it_value.tv_usec = static_cast<suseconds_t>(1e6 * (seconds - std::floor(seconds)));
   if (timer.it_value.tv_sec == 0 && timer.it_value.tv_usec == 0) timer.it_value.tv_usec = 1;
   require(::setitimer(ITIMER_REAL, &timer, nullptr) == 0, "--time-limit {} (the system has no such timer)", limit);
 }

@@ -18,10 +18,10 @@ namespace clogflow::cli {
 namespace {
 
 double threshold_seconds(const std::string& text) {
-  const Quantity quantity = parse_quantity(text);
-  require(quantity.dimension == dimension::time && quantity.si > 0,
-          "--threshold {} (must be a positive time such as '3.3 ms')", text);
-  return quantity.si;
+  constexpr const char* meaning = "a positive time such as '3.3 ms'";
+  const double seconds = parse_option("--threshold", text, dimension::time, meaning);
+  require(seconds > 0, "--threshold {} (must be {})", text, meaning);
+  return seconds;
 }
 
 /// The value, or the bound on it, or what it lacks.

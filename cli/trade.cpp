@@ -28,10 +28,10 @@ struct TradeOptions {
 };
 
 double budget_seconds(const std::string& text) {
-  const Quantity quantity = parse_quantity(text);
-  require(quantity.dimension == dimension::time && quantity.si >= 0,
-          "--budget {} (must be a time such as '45 min', 0 s to evaluate what is there)", text);
-  return quantity.si;
+  constexpr const char* meaning = "a time such as '45 min', 0 s to evaluate what is there";
+  const double seconds = parse_option("--budget", text, dimension::time, meaning);
+  require(seconds >= 0, "--budget {} (must be {})", text, meaning);
+  return seconds;
 }
 
 void combine_studies(const TradeOptions& options) {

@@ -216,6 +216,17 @@ Quantity parse_quantity(std::string_view whole) {
           .is_angle = unit.angle == 1 && unit.dimension == dimension::number};
 }
 
+double parse_option(std::string_view option, std::string_view text, Dimension dimension, std::string_view meaning) {
+  Quantity quantity{};
+  try {
+    quantity = parse_quantity(text);
+  } catch (const Error& error) {
+    throw Error(fmt::format("{} {} (must be {})", option, error.what(), meaning));
+  }
+  require(quantity.dimension == dimension, "{} {} (must be {})", option, text, meaning);
+  return quantity.si;
+}
+
 std::string si_unit(Dimension d) {
   if (d == dimension::number) return "1";
   if (d == dimension::rate) return "1/s";

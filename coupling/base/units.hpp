@@ -43,6 +43,12 @@ struct Quantity {
 /// \throws Error naming the text and the symbol that is unknown, or that a unit is missing
 Quantity parse_quantity(std::string_view text);
 
+/// What an option of a command line was given, "--from" for example.
+/// \param meaning  what it must be, for the message: "a time, such as '120 ms'"
+/// \return [SI unit of the dimension]
+/// \throws Error naming the option if the text is no quantity, or none of this dimension
+double parse_option(std::string_view option, std::string_view text, Dimension dimension, std::string_view meaning);
+
 /// The SI unit of a dimension in words a file can carry: "m", "Pa s", "kg/m3", "1" for a number.
 std::string si_unit(Dimension dimension);
 

@@ -207,7 +207,7 @@ void fill_times(SceneDraft& draft) {
   if (!draft.has("unclog.after")) {
     require(
         tau > 0 || scene.unclog.protocol == UnclogProtocol::none,
-        "{}: unclog.after is missing (a time, e.g. \"10 ms\"; there is no flow, nor gravity along x, to take it from)",
+        "{}: unclog.after is missing (a time, e.g. \"10 ms\"; there is no flow, nor gravity along +x, to take it from)",
         draft.name);
     scene.unclog.after = 5 * tau;
   }

@@ -166,5 +166,14 @@ TEST(Units, RefusalsSayWhy) {
     EXPECT_THAT(refusal([&, text = text] { parse_quantity(text); }), HasSubstr(reason)) << text;
 }
 
+TEST(Options, AreReadInSiUnitsAndNamedWhenRefused) {
+  const auto refused = [](const char* text) {
+    return refusal([&] { parse_option("--from", text, dimension::time, "a time, such as '120 ms'"); });
+  };
+  EXPECT_DOUBLE_EQ(parse_option("--from", "120 ms", dimension::time, "a time"), 0.12);
+  EXPECT_EQ(refused("85"), "--from \"85\" (a unit is missing, e.g. \"33 um\") (must be a time, such as '120 ms')");
+  EXPECT_EQ(refused("85 mm"), "--from 85 mm (must be a time, such as '120 ms')");
+}
+
 }  // namespace
 }  // namespace clogflow
