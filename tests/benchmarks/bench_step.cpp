@@ -2,7 +2,8 @@
 //   build/release/bin/bench_step [--benchmark_filter=...]
 #include <benchmark/benchmark.h>
 
-#include <fstream>
+#include <malloc.h>
+
 #include <map>
 #include <memory>
 
@@ -12,48 +13,50 @@
 namespace clogflow::test {
 namespace {
 
-/// Memory that this process has now, or had at most: a line of /proc/self/status [bytes].
-double memory(const std::string& line) {
-  std::ifstream status("/proc/self/status");
-  for (std::string word; status >> word;)
-    if (double kilobytes = 0; word == line && status >> kilobytes) return 1024 * kilobytes;
-  return 0;
+/// What is allocated now, in pages of its own or not; freed memory that is kept does not count [bytes].
+double allocated() {
+  const struct mallinfo2 now = mallinfo2();
+  return static_cast<double>(now.uordblks + now.hblkhd);
 }
 
-/// What the pack made last took to make, and what it holds [bytes].
-double held = 0, taken = 0;
+struct Pack {
+  std::unique_ptr<Simulation> simulation;
+  double bytes = 0;  ///< that it holds
+};
 
 /// A settled pack of 1000 times `across` times `up` spheres, made once and kept for all benchmarks.
-Simulation& pack(int across, int up, int threads = 1) {
-  static std::map<std::array<int, 3>, std::unique_ptr<Simulation>> packs;
-  auto& found = packs[{across, up, threads}];
-  if (!found) {
+Pack& kept_pack(int across, int up, int threads) {
+  static std::map<std::array<int, 3>, Pack> packs;
+  Pack& found = packs[{across, up, threads}];
+  if (!found.simulation) {
     const ScratchFile file(as_csv(tiled_particles(across, up)));
-    const double before = memory("VmRSS:");
-    found = std::make_unique<Simulation>(tiled_box(across, up, file.name()), nullptr, 1, threads);
-    for (int k = 0; k < 200; ++k) found->compute_forces(), found->advance();
-    found->compute_forces();
-    held = memory("VmRSS:") - before;
-    taken = memory("VmHWM:") - before;
+    const double before = allocated();
+    found.simulation = std::make_unique<Simulation>(tiled_box(across, up, file.name()), nullptr, 1, threads);
+    Simulation& made = *found.simulation;
+    for (int k = 0; k < 200; ++k) made.compute_forces(), made.advance();
+    made.compute_forces();
+    found.bytes = allocated() - before;
   }
-  return *found;
+  return found;
 }
+
+Simulation& pack(int across, int up) { return *kept_pack(across, up, 1).simulation; }
 
 void count(benchmark::State& state, std::size_t items) {
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(items));
 }
 
 void whole_step(benchmark::State& state) {
-  Simulation& simulation =
-      pack(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)), static_cast<int>(state.range(2)));
+  const Pack& pack =
+      kept_pack(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)), static_cast<int>(state.range(2)));
+  Simulation& simulation = *pack.simulation;
   for (auto _ : state) {
     simulation.compute_forces();
     simulation.advance();
   }
   const std::size_t particles = simulation.particles().size();
   count(state, particles);
-  state.counters["held_per_particle"] = held / static_cast<double>(particles);
-  state.counters["taken_per_particle"] = taken / static_cast<double>(particles);
+  state.counters["held_per_particle"] = pack.bytes / static_cast<double>(particles);
   state.counters["particles"] = static_cast<double>(particles);
   state.counters["bytes_per_particle"] = static_cast<double>(simulation.save().size()) / static_cast<double>(particles);
 }
