@@ -48,7 +48,8 @@ bool saved(const SmallJob& job, const std::string& out, std::uint64_t seed) {
 // mpirun sends SIGTERM at the first Ctrl-C and kills one second later: no time to wait for a disk.
 TEST(SlowDisk, CtrlCUnderMpirunSavesTheStateOfEveryRank) {
   // From an empty start: a neck that drains would end the run.
-  const SmallJob job({"time.end=900 ms", "output.checkpoint_interval=1 h", "inlet.start=empty"});
+  // So long that no machine is at its end when the signal comes.
+  const SmallJob job({"time.end=900 s", "output.checkpoint_interval=1 h", "inlet.start=empty"});
   const Environment slow = odd("ODD_FSYNC_MS", 3000);
   for (const int signal : {SIGINT, SIGTERM}) {
     const std::string out = fmt::format("out_{}", signal);
