@@ -173,6 +173,7 @@ struct Scene {
     double duration = 0;   ///< of a release: friction is off for this time [s]; default 0.23 tau
     double region = 0;     ///< friction is off from this many neck widths upstream of the neck on [-]; 0: everywhere
     double strain = 0;     ///< of a restart: as inlet.strain [-]
+    bool rewind = false;   ///< a restart goes back to where friction began
     bool shortcut = true;  ///< a clog that is proved to be at rest is not waited for
   } unclog;
 

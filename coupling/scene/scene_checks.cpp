@@ -254,6 +254,8 @@ void check_starts_and_clogs(const SceneDraft& draft) {
   }
   check_goes_with(draft, "inlet.strain", s.inlet.start == InletStart::flowing, "inlet.start = \"flowing\"");
   check_goes_with(draft, "unclog.strain", restarts, "unclog.protocol = \"restart\"");
+  require(!s.unclog.rewind || (restarts && s.inlet.start == InletStart::flowing),
+          "{} (is only for unclog.protocol = \"restart\" and inlet.start = \"flowing\")", draft.says("unclog.rewind"));
   check_goes_with(draft, "unclog.region", releases || restarts || s.unclog.region == 0,
                   "unclog.protocol = \"release\" or \"restart\"");
   const bool local = s.porosity.method == PorosityMethod::local;

@@ -179,6 +179,9 @@ constexpr double release_share = 0.23;
 /// Of solids that pass the neck before what is near it has forgotten how it stood.
 constexpr double usual_strain = 10;
 
+/// Where no clog has to be forgotten, so that one burst is only not to look like the one before.
+constexpr double strain_of_branches = 1;
+
 // Exactly one of step and step_fraction is in force, the other 0. An override beats the file.
 void choose_step(SceneDraft& draft) {
   auto& time = draft.scene.time;
@@ -215,7 +218,7 @@ void fill_times(SceneDraft& draft) {
   if (!draft.has("inlet.strain") && scene.inlet.enabled && scene.inlet.start == InletStart::flowing)
     scene.inlet.strain = usual_strain;
   if (!draft.has("unclog.strain") && scene.unclog.protocol == UnclogProtocol::restart)
-    scene.unclog.strain = usual_strain;
+    scene.unclog.strain = scene.unclog.rewind ? strain_of_branches : usual_strain;
   if (!draft.has("passages.plane")) scene.passages.plane = scene.geometry.neck_length / 2;
 }
 

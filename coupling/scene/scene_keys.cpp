@@ -177,7 +177,8 @@ std::vector<Key> make_keys() {
       NUMBER(unclog.after, time, positive, "nothing passed for this long, where rest is not proved sooner, counted in what an unsteady flow carries; default 5 Stokes times"),
       NUMBER(unclog.duration, time, positive, "of a release: friction is off for this long; default 0.23 Stokes times"),
       NUMBER(unclog.region, number, non_negative, "friction is off from this many neck widths upstream of the neck on; default 0: everywhere"),
-      NUMBER(unclog.strain, number, positive, "of a restart: as inlet.strain; default 10"),
+      NUMBER(unclog.strain, number, positive, "of a restart: as inlet.strain; default 10, with unclog.rewind 1"),
+      SWITCH(unclog.rewind, "a restart puts the column back to where friction began, and flows on from there; default false"),
       SWITCH(unclog.shortcut, "go on as soon as the clog is proved to be at rest for good; default true"),
 
       NUMBER(time.end, time, positive, "simulated time; required"),

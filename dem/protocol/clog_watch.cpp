@@ -57,11 +57,13 @@ ClogState clog_state(const Particles& p, const Scene& scene) {
 ClogWatch::ClogWatch(const Scene& scene)
     : protocol_(scene.unclog.protocol),
       shortcut_(scene.unclog.shortcut),
+      rewinds_(scene.unclog.rewind),
       after_(scene.unclog.after),
       duration_(scene.unclog.duration),
       look_interval_(look_interval(scene)),
       rest_speed_(clogflow::rest_speed(scene)),
-      least_wait_(least_wait * scene.stokes_time()) {
+      least_wait_(least_wait * scene.stokes_time()),
+      keeps_(scene.unclog.rewind) {
   if (protocol_ != UnclogProtocol::restart) return;
   enough_ = particles_of_strain(scene, scene.unclog.strain);
   duration_ = longest_flow(scene, scene.unclog.strain);
@@ -74,6 +76,7 @@ bool ClogWatch::flows_enough(double time, std::int64_t gone) const {
 
 ClogWatch::Action ClogWatch::end_flow(double time) {
   friction_off_ = false;
+  keeps_ = rewinds_;
   last_event_ = time;
   return Action::friction_on;
 }
@@ -89,6 +92,7 @@ ClogWatch::Action ClogWatch::begin(double time, std::int64_t gone) {
     return Action::poke;
   }
   friction_off_ = true;
+  goes_back_ = rewinds_;
   off_since_ = time;
   gone_when_off_ = gone;
   return Action::friction_off;

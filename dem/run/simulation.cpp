@@ -5,6 +5,7 @@
 #include "dem/run/coming_and_going.hpp"
 #include "dem/run/forces.hpp"
 #include "dem/run/initial_placement.hpp"
+#include "dem/run/kept_column.hpp"
 #include "dem/run/present_network.hpp"
 #include "dem/run/rest_proof.hpp"
 #include "dem/run/saved_state.hpp"
@@ -91,6 +92,8 @@ void Simulation::begin_run() {
 }
 
 void Simulation::compute_forces() {
+  if (state_.clog_watch.goes_back()) go_back(state_);
+  if (state_.clog_watch.keeps() && state_.filling.is_done()) keep_column(state_);
   feed_inlet(state_);
   if (state_.clog_watch.pokes() || !state_.lists.hold(particles()))
     state_.lists.rebuild(state_.particles, leaving_particles(state_), state_.team);
