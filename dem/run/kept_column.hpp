@@ -1,6 +1,7 @@
 // The column as it was when friction began last, for restarts that go back to it.
 #pragma once
 
+#include <cmath>
 #include <string>
 
 namespace clogflow {
@@ -20,17 +21,24 @@ public:
   /// read from a damaged state
   void put_back(RunState& state) const;
 
+  /// After the forces, which alone know what the contacts store: the energy of what was kept, or of the clog that is to
+  /// go. So the balance of energies does not take the one for the other.
+  void weigh(const RunState& state);
+
+  bool valid() const { return std::isfinite(energy_) && std::isfinite(energy_of_clog_); }
+
   template <class Archive>
   void exchange(Archive& archive) {
-    archive(bytes_);
+    archive(bytes_, is_weighed_, energy_, energy_of_clog_);
   }
 
 private:
   std::string bytes_;  // of particles and lists
+  bool is_weighed_ = true;
+  double energy_ = 0, energy_of_clog_ = 0;  // kinetic and elastic [J]
 };
 
-/// At the clog of a restart that goes back, and where friction begins; the watch hears of it.
-void go_back(RunState& state);
-void keep_column(RunState& state);
+/// What the clog watch asks for before the next forces: the column goes back, or is kept.
+void go_back_or_keep(RunState& state);
 
 }  // namespace clogflow

@@ -92,8 +92,7 @@ void Simulation::begin_run() {
 }
 
 void Simulation::compute_forces() {
-  if (state_.clog_watch.goes_back()) go_back(state_);
-  if (state_.clog_watch.keeps() && state_.filling.is_done()) keep_column(state_);
+  go_back_or_keep(state_);
   feed_inlet(state_);
   if (state_.clog_watch.pokes() || !state_.lists.hold(particles()))
     state_.lists.rebuild(state_.particles, leaving_particles(state_), state_.team);
@@ -120,6 +119,7 @@ void Simulation::record() {
   if (action == Action::friction_off || action == Action::poke) recorder_.begin_release(state_);
   if (action == Action::friction_on || action == Action::poke) recorder_.end_release(state_);
   if (action == Action::stop) recorder_.stop(state_);
+  state_.column.weigh(state_);
   const auto packing = [&] { return 1 - state_.fluid.strips().upstream_porosity().back(); };
   if (state_.supply_watch.drains(now, packing)) recorder_.drained(state_);
   recorder_.look(state_);

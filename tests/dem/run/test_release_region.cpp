@@ -107,8 +107,8 @@ std::map<std::int64_t, Vec3> places(const RunState& state) {
 }
 
 TEST(Rewind, PutsTheColumnBackToWhereFrictionBegan) {
-  const Scene scene = small_channel({"inlet.start=flowing", "inlet.strain=2", "unclog.protocol=restart",
-                                     "unclog.rewind=true", "time.end=60 ms"});
+  const Scene scene = small_channel(
+      {"inlet.start=flowing", "inlet.strain=2", "unclog.protocol=restart", "unclog.rewind=true", "time.end=60 ms"});
   const FlowGrid grid = synthetic_flow(scene);
   Simulation simulation(scene, &grid, 3);
   simulation.fill({});
@@ -127,9 +127,9 @@ TEST(Rewind, PutsTheColumnBackToWhereFrictionBegan) {
     for (const auto& [id, place] : places(state)) back += began.contains(id) && began.at(id) == place;
     EXPECT_EQ(back, began.size());
     EXPECT_GE(state.inlet.inserted(), inserted);
-    // No energy is dissipated or made by it: a jump would be of the size of what is stored.
+    // No energy is dissipated or made by it, but for that step's: the clog stood, what is put back flows.
     const double after = state.energy.supplied() - simulation.kinetic_energy() - simulation.elastic_energy();
-    EXPECT_NEAR(after, before, 0.01 * simulation.kinetic_energy());
+    EXPECT_NEAR(after, before, 0.1 * simulation.kinetic_energy());
     // The strain of a branch: D^3 over pi d^3 / 6 is 15 particles.
     const std::int64_t gone = state.gone();
     ASSERT_TRUE(step_while(simulation, [](const RunState& s) { return s.clog_watch.friction_off(); }));
