@@ -29,7 +29,6 @@ constexpr std::pair<std::string_view, std::string_view> later[] = {
     {"porosity.method", "\"strips\""},
     {"porosity.neck", "false"},
     {"unclog.region", "0"},
-    {"unclog.rewind", "false"},
     {"unclog.shortcut", "false"},
     {"inlet.concentration", "0"},
     {"output.contacts", "false"},

@@ -31,8 +31,8 @@ ClogState clog_state(const Particles& particles, const Scene& scene);
 ///   none     nothing
 ///   stop     the run ends; a clog that was not proved must have been at rest for four times as long
 ///   release  friction is off for `unclog.duration`: the protocol of silo experiments
-///   restart  friction is off until `unclog.strain` has passed, as before a flowing start; with `unclog.rewind` the
-///            column is first put back to where friction began last (dem/run/kept_column.hpp)
+///   restart  friction is off until `unclog.strain` has passed, as before a flowing start
+///   rewind   the same, but the column is first put back to where friction began last (dem/run/kept_column.hpp)
 ///   poke     the arch is taken out
 /// A clog that never comes to rest is left to the statistics as a censored arrest.
 class ClogWatch {
@@ -79,17 +79,18 @@ public:
   template <class Archive>
   void exchange(Archive& archive) {
     archive(last_event_, next_look_, off_since_, gone_when_off_, friction_off_, stopped_, proved_, pokes_, taken_out_);
-    if (rewinds_) archive(keeps_, goes_back_);
+    if (rewinds()) archive(keeps_, goes_back_);
   }
 
 private:
+  bool rewinds() const { return protocol_ == UnclogProtocol::rewind; }
   bool flows_enough(double time, std::int64_t gone) const;
   Action end_flow(double time);
   Action begin(double time, std::int64_t gone);
   double longest_wait() const;
 
   UnclogProtocol protocol_;
-  bool shortcut_, rewinds_;
+  bool shortcut_;
   double after_, duration_, look_interval_, rest_speed_, least_wait_;
   std::int64_t enough_ = 0;  // particles of a restart
   double last_event_ = 0, next_look_ = 0, off_since_ = 0;

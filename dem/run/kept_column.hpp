@@ -8,7 +8,7 @@ namespace clogflow {
 
 struct RunState;
 
-/// A restart with `unclog.rewind` puts the column back to where friction began, and lets it flow on from there. So what
+/// The protocol "rewind" puts the column back to where friction began, and lets it flow on from there. So what
 /// flows without friction is one long flow in which no clog ever stood, and every burst is a branch of it: there is no
 /// clog to forget, and a strain that is short but makes the next burst another one is enough.
 /// Neglects nothing but time: clock, inlet and random numbers go on, so what comes in is not what came in before.

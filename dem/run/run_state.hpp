@@ -97,7 +97,7 @@ struct RunState {
     if (Archive::loading && filling.gate_is_closed()) place_walls();
     archive(clock, random, inlet, clog_watch, supply_watch, particles, lists, fluid, next_insertion, next_porosity,
             particle_steps, energy, step_watch, computing_time);
-    if (model.scene.unclog.rewind) archive(column);
+    if (model.scene.unclog.protocol == UnclogProtocol::rewind) archive(column);
     if (Archive::loading) lists.pairs.measure(particles);
   }
 };

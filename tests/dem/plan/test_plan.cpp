@@ -322,7 +322,7 @@ TEST(Plan, SaysWhereNobodyMeasuredABurst) {
   EXPECT_THAT(unknown({"unclog.protocol=restart", "contact.friction.sliding=0.45"}),
               HasSubstr("friction 0.45, 0.6, 0.6 (sliding, rolling, torsion) is not on the map"));
   EXPECT_THAT(unknown({"unclog.protocol=stop", "particles.diameter=20 um"}), HasSubstr("not at 5"));
-  EXPECT_THAT(unknown({"unclog.protocol=release"}), HasSubstr("neither \"restart\" nor \"stop\""));
+  EXPECT_THAT(unknown({"unclog.protocol=release"}), HasSubstr("neither \"restart\", \"rewind\" nor \"stop\""));
   EXPECT_THAT(unknown({"unclog.protocol=stop", "contact.friction.rolling=0", "contact.friction.torsion=0"}),
               HasSubstr("only 1 of 6 seeds of the map clogged: <s> is above"));
   EXPECT_THAT(unknown({"unclog.protocol=stop", "geometry.half_angle=45 deg"}), HasSubstr("narrows at 60 deg"));

@@ -107,8 +107,8 @@ std::map<std::int64_t, Vec3> places(const RunState& state) {
 }
 
 TEST(Rewind, PutsTheColumnBackToWhereFrictionBegan) {
-  const Scene scene = small_channel(
-      {"inlet.start=flowing", "inlet.strain=2", "unclog.protocol=restart", "unclog.rewind=true", "time.end=60 ms"});
+  const Scene scene =
+      small_channel({"inlet.start=flowing", "inlet.strain=2", "unclog.protocol=rewind", "time.end=60 ms"});
   const FlowGrid grid = synthetic_flow(scene);
   Simulation simulation(scene, &grid, 3);
   simulation.fill({});
