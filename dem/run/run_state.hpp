@@ -19,9 +19,9 @@
 #include "dem/run/inlet.hpp"
 #include "dem/run/kept_column.hpp"
 #include "dem/run/model.hpp"
-#include "dem/state/step_clock.hpp"
 #include "dem/stability/step_watch.hpp"
 #include "dem/state/particles.hpp"
+#include "dem/state/step_clock.hpp"
 
 namespace clogflow {
 
