@@ -291,6 +291,15 @@ TEST(Plan, WarnsOfCrystalsUntilSizesDiffer) {
   EXPECT_EQ(note({"particles.size_spread=0.1"}), "");
 }
 
+// Twenty seeds of scenes/campaign.toml, which rewinds, took 0.0440 s a burst at D/d = 2.13.
+TEST(Plan, SaysWhatABurstOfARewindCosts) {
+  const ExpectedBurst burst = make_plan(cheap_paper_scene({"geometry.channel_length=500 um", "inlet.start=flowing",
+                                                           "unclog.protocol=rewind", "particles.diameter=47 um"}))
+                                  .burst;
+  EXPECT_EQ(burst.unknown, "");
+  EXPECT_NEAR(burst.simulated(), 0.0440, 0.05 * 0.0440);
+}
+
 // Restarts of scenes/campaign.toml with 5 D of channel took 0.104 to 0.108 s a burst at D/d = 2.13 (48 and 445 bursts)
 // and 0.111 s at 2.5 (324 bursts).
 TEST(Plan, SaysWhatABurstCosts) {
