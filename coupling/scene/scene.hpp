@@ -20,7 +20,7 @@ enum class BelowRoughness { off, clamp };
 enum class DragVelocity { interstitial, superficial, mixture };
 enum class PorosityMethod { strips, local };
 enum class InletStart { filled, empty, flowing };
-enum class UnclogProtocol { none, release, stop, restart, poke };
+enum class UnclogProtocol { none, release, stop, restart, rewind, poke };
 enum class SizeDistribution { uniform, normal, lognormal, file };
 enum class Integrator { verlet, implicit_drag, implicit_fluid };
 
@@ -172,7 +172,7 @@ struct Scene {
     double after = 0;      ///< nothing passed for this time [s]; default 5 tau
     double duration = 0;   ///< of a release: friction is off for this time [s]; default 0.23 tau
     double region = 0;     ///< friction is off from this many neck widths upstream of the neck on [-]; 0: everywhere
-    double strain = 0;     ///< of a restart: as inlet.strain [-]
+    double strain = 0;     ///< of restart and rewind: as inlet.strain [-]
     bool shortcut = true;  ///< a clog that is proved to be at rest is not waited for
   } unclog;
 

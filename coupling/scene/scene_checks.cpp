@@ -10,6 +10,7 @@
 #include "coupling/scene/scene_draft.hpp"
 #include "coupling/scene/scene_keys.hpp"
 #include "coupling/scene/sweep.hpp"
+#include "coupling/scene/unclog_protocol.hpp"
 
 namespace clogflow {
 namespace {
@@ -243,7 +244,7 @@ void check_goes_with(const SceneDraft& draft, const char* key, bool chosen, std:
 void check_starts_and_clogs(const SceneDraft& draft) {
   const Scene& s = draft.scene;
   const auto protocol = s.unclog.protocol;
-  const bool releases = protocol == UnclogProtocol::release, restarts = protocol == UnclogProtocol::restart;
+  const bool releases = protocol == UnclogProtocol::release, flows = restarts(protocol);
   if (s.inlet.concentration > 0) {
     require(s.inlet.start == InletStart::empty, "{} (is for inlet.start = \"empty\": other starts are dense)",
             draft.says("inlet.concentration"));
@@ -253,9 +254,11 @@ void check_starts_and_clogs(const SceneDraft& draft) {
             "{} (needs a channel, and flow.mean_velocity in it)", draft.says("inlet.concentration"));
   }
   check_goes_with(draft, "inlet.strain", s.inlet.start == InletStart::flowing, "inlet.start = \"flowing\"");
-  check_goes_with(draft, "unclog.strain", restarts, "unclog.protocol = \"restart\"");
-  check_goes_with(draft, "unclog.region", releases || restarts || s.unclog.region == 0,
-                  "unclog.protocol = \"release\" or \"restart\"");
+  check_goes_with(draft, "unclog.strain", flows, "unclog.protocol = \"restart\" or \"rewind\"");
+  require(protocol != UnclogProtocol::rewind || s.inlet.start == InletStart::flowing,
+          "{} (needs inlet.start = \"flowing\": friction must have begun in a flow)", draft.says("unclog.protocol"));
+  check_goes_with(draft, "unclog.region", releases || flows || s.unclog.region == 0,
+                  "unclog.protocol = \"release\", \"restart\" or \"rewind\"");
   const bool local = s.porosity.method == PorosityMethod::local;
   check_goes_with(draft, "porosity.width", local, "porosity.method = \"local\"");
   // A sphere alone would fill more than its own place: pi/6 d^3 / (2 pi s^2)^(3/2) = 0.27 at s = d/2, 0.99 at 0.32 d.

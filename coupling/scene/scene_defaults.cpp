@@ -9,6 +9,7 @@
 #include "coupling/scene/particle_sizes.hpp"
 #include "coupling/scene/scene_draft.hpp"
 #include "coupling/scene/scene_keys.hpp"
+#include "coupling/scene/unclog_protocol.hpp"
 
 namespace clogflow {
 namespace {
@@ -179,6 +180,9 @@ constexpr double release_share = 0.23;
 /// Of solids that pass the neck before what is near it has forgotten how it stood.
 constexpr double usual_strain = 10;
 
+/// Where no clog has to be forgotten, so that one burst is only not to look like the one before.
+constexpr double strain_of_branches = 1;
+
 // Exactly one of step and step_fraction is in force, the other 0. An override beats the file.
 void choose_step(SceneDraft& draft) {
   auto& time = draft.scene.time;
@@ -214,8 +218,8 @@ void fill_times(SceneDraft& draft) {
   if (!draft.has("unclog.duration")) scene.unclog.duration = tau > 0 ? release_share * tau : 1.5e-3;
   if (!draft.has("inlet.strain") && scene.inlet.enabled && scene.inlet.start == InletStart::flowing)
     scene.inlet.strain = usual_strain;
-  if (!draft.has("unclog.strain") && scene.unclog.protocol == UnclogProtocol::restart)
-    scene.unclog.strain = usual_strain;
+  if (!draft.has("unclog.strain") && restarts(scene.unclog.protocol))
+    scene.unclog.strain = scene.unclog.protocol == UnclogProtocol::rewind ? strain_of_branches : usual_strain;
   if (!draft.has("passages.plane")) scene.passages.plane = scene.geometry.neck_length / 2;
 }
 

@@ -173,11 +173,11 @@ std::vector<Key> make_keys() {
       COUNT(inlet.taps, (Range{.low = 0, .high = 100}), "moments without friction that consolidate a filled start; default 2"),
       NUMBER(inlet.strain, number, positive, "volume of particles that passes without friction before a flowing start counts, in neck widths times the neck's cross-section; default 10"),
 
-      WORD(unclog.protocol, "at a clog: nothing, a moment without friction, the run ends, the column flows without friction as at a flowing start, or its arch is taken out", "none", "release", "stop", "restart", "poke"),
+      WORD(unclog.protocol, "at a clog: nothing, a moment without friction, the run ends, the column flows without friction as at a flowing start, does so from where friction began, or its arch is taken out", "none", "release", "stop", "restart", "rewind", "poke"),
       NUMBER(unclog.after, time, positive, "nothing passed for this long, where rest is not proved sooner, counted in what an unsteady flow carries; default 5 Stokes times"),
       NUMBER(unclog.duration, time, positive, "of a release: friction is off for this long; default 0.23 Stokes times"),
       NUMBER(unclog.region, number, non_negative, "friction is off from this many neck widths upstream of the neck on; default 0: everywhere"),
-      NUMBER(unclog.strain, number, positive, "of a restart: as inlet.strain; default 10"),
+      NUMBER(unclog.strain, number, positive, "of a restart: as inlet.strain; default 10, of a rewind 1"),
       SWITCH(unclog.shortcut, "go on as soon as the clog is proved to be at rest for good; default true"),
 
       NUMBER(time.end, time, positive, "simulated time; required"),

@@ -69,8 +69,8 @@ std::string off_map(const Scene& s) {
   const Geometry& g = s.geometry;
   const double right_angle = std::numbers::pi / 2;
   const auto protocol = s.unclog.protocol;
-  if (protocol != UnclogProtocol::restart && protocol != UnclogProtocol::stop)
-    return "unclog.protocol is neither \"restart\" nor \"stop\"";
+  if (!restarts(protocol) && protocol != UnclogProtocol::stop)
+    return "unclog.protocol is neither \"restart\", \"rewind\" nor \"stop\"";
   if (!s.inlet.enabled || s.inlet.start != InletStart::flowing || s.inlet.concentration > 0 || s.inlet.rate > 0)
     return "inlet.start is not \"flowing\", with as many particles as fit";
   if (!g.present || !g.stl.empty() || !near(g.neck_height, g.neck_width) || !near(g.channel_width, 4 * g.neck_width) ||
@@ -129,9 +129,9 @@ ExpectedBurst expected_burst(const Scene& s) {
   burst.spread = burst.spread_seen ? measured_spread : std::sqrt(1 + 1 / burst.mean);
   const double time = s.geometry.neck_width / s.flow.mean_velocity;
   const double rate = between(ratio, low.ratio, low.rate, high.ratio, high.rate) * map_time / time;
-  const bool restarts = s.unclog.protocol == UnclogProtocol::restart;
-  burst.start = frictionless_time(s, restarts ? s.unclog.strain : s.inlet.strain,
-                                  restarts ? packing_of_restart : packing_of_start);
+  const bool again = restarts(s.unclog.protocol);
+  burst.start =
+      frictionless_time(s, again ? s.unclog.strain : s.inlet.strain, again ? packing_of_restart : packing_of_start);
   burst.flow = with_arrests * burst.mean / rate;
   burst.proof = proof_time * time;
   return burst;

@@ -58,10 +58,10 @@ void count_bursts(const Scene& s, const ExpectedBurst& burst, double time, DiskU
     if (spacing > 0) use.snapshot_count += time / spacing;
     return;
   }
-  const bool restarts = s.unclog.protocol == UnclogProtocol::restart;
-  const double length = burst.flow + (restarts ? burst.start : 0);
-  const double bursts = restarts ? std::max(1.0, time / burst.simulated()) : 1;
-  use.passage_count = bursts * (burst.mean + particles_of(s, restarts ? s.unclog.strain : s.inlet.strain));
+  const bool again = restarts(s.unclog.protocol);
+  const double length = burst.flow + (again ? burst.start : 0);
+  const double bursts = again ? std::max(1.0, time / burst.simulated()) : 1;
+  use.passage_count = bursts * (burst.mean + particles_of(s, again ? s.unclog.strain : s.inlet.strain));
   if (spacing > 0) use.snapshot_count += bursts * snapshots_of_burst((length + s.stokes_time()) / spacing);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "coupling/base/quantile.hpp"
+#include "coupling/scene/unclog_protocol.hpp"
 #include "dem/protocol/frictionless_flow.hpp"
 
 namespace clogflow {
@@ -61,19 +62,21 @@ ClogWatch::ClogWatch(const Scene& scene)
       duration_(scene.unclog.duration),
       look_interval_(look_interval(scene)),
       rest_speed_(clogflow::rest_speed(scene)),
-      least_wait_(least_wait * scene.stokes_time()) {
-  if (protocol_ != UnclogProtocol::restart) return;
+      least_wait_(least_wait * scene.stokes_time()),
+      keeps_(rewinds()) {
+  if (!restarts(protocol_)) return;
   enough_ = particles_of_strain(scene, scene.unclog.strain);
   duration_ = longest_flow(scene, scene.unclog.strain);
 }
 
 bool ClogWatch::flows_enough(double time, std::int64_t gone) const {
   if (time >= off_since_ + duration_) return true;
-  return protocol_ == UnclogProtocol::restart && gone - gone_when_off_ >= enough_;
+  return restarts(protocol_) && gone - gone_when_off_ >= enough_;
 }
 
 ClogWatch::Action ClogWatch::end_flow(double time) {
   friction_off_ = false;
+  keeps_ = rewinds();
   last_event_ = time;
   return Action::friction_on;
 }
@@ -89,6 +92,7 @@ ClogWatch::Action ClogWatch::begin(double time, std::int64_t gone) {
     return Action::poke;
   }
   friction_off_ = true;
+  goes_back_ = rewinds();
   off_since_ = time;
   gone_when_off_ = gone;
   return Action::friction_off;

@@ -32,6 +32,7 @@ ClogState clog_state(const Particles& particles, const Scene& scene);
 ///   stop     the run ends; a clog that was not proved must have been at rest for four times as long
 ///   release  friction is off for `unclog.duration`: the protocol of silo experiments
 ///   restart  friction is off until `unclog.strain` has passed, as before a flowing start
+///   rewind   the same, but the column is first put back to where friction began last (dem/run/kept_column.hpp)
 ///   poke     the arch is taken out
 /// A clog that never comes to rest is left to the statistics as a censored arrest.
 class ClogWatch {
@@ -65,15 +66,24 @@ public:
   void poked(std::int64_t particles) { pokes_ = false, taken_out_ += particles; }
   std::int64_t taken_out() const { return taken_out_; }  ///< particles, of all arches
 
+  /// Whether the column is to be kept, or put back, before the next forces: friction has begun, or the clog is there.
+  bool keeps() const { return keeps_; }
+  bool goes_back() const { return goes_back_; }
+  void kept() { keeps_ = false; }
+  /// \param gone  particles that ever left, as it is now
+  void went_back(std::int64_t gone) { goes_back_ = false, gone_when_off_ = gone; }
+
   /// Below this speed a particle counts as at rest [m/s]
   double rest_speed() const { return rest_speed_; }
 
   template <class Archive>
   void exchange(Archive& archive) {
     archive(last_event_, next_look_, off_since_, gone_when_off_, friction_off_, stopped_, proved_, pokes_, taken_out_);
+    if (rewinds()) archive(keeps_, goes_back_);
   }
 
 private:
+  bool rewinds() const { return protocol_ == UnclogProtocol::rewind; }
   bool flows_enough(double time, std::int64_t gone) const;
   Action end_flow(double time);
   Action begin(double time, std::int64_t gone);
@@ -85,7 +95,8 @@ private:
   std::int64_t enough_ = 0;  // particles of a restart
   double last_event_ = 0, next_look_ = 0, off_since_ = 0;
   std::int64_t gone_when_off_ = 0, taken_out_ = 0;
-  bool friction_off_ = false, stopped_ = false, proved_ = false, pokes_ = false;
+  bool friction_off_ = false, stopped_ = false, proved_ = false, pokes_ = false, goes_back_ = false;
+  bool keeps_;
 };
 
 /// Speed below which a particle counts as at rest: a thousandth of the scene's speed_scale() [m/s].

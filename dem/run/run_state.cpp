@@ -48,6 +48,7 @@ const char* RunState::damaged_part() const {
   if (!fluid.strips().valid() || !fluid.local().valid()) return "porosity";
   if (!fluid.noise().valid()) return "random factors on the flow";
   if (!fluid.drive().valid()) return "flow";
+  if (!column.valid()) return "kept column";
   if (!inlet.valid()) return "inlet";
   if (!finite_from_zero(next_insertion, next_porosity, particle_steps) || !energy.valid() || !computing_time.valid())
     return "clocks or energies";

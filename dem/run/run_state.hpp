@@ -17,10 +17,11 @@
 #include "dem/run/contact_lists.hpp"
 #include "dem/run/energy_balance.hpp"
 #include "dem/run/inlet.hpp"
+#include "dem/run/kept_column.hpp"
 #include "dem/run/model.hpp"
-#include "dem/run/step_clock.hpp"
 #include "dem/stability/step_watch.hpp"
 #include "dem/state/particles.hpp"
+#include "dem/state/step_clock.hpp"
 
 namespace clogflow {
 
@@ -43,6 +44,7 @@ struct RunState {
   SupplyWatch supply_watch;
   Particles particles;
   ContactLists lists;
+  KeptColumn column;  ///< of a restart that goes back
   Fluid fluid;
   double next_insertion = 0, next_porosity = 0;  ///< when due [s]
   double particle_steps = 0;                     ///< done
@@ -95,6 +97,7 @@ struct RunState {
     if (Archive::loading && filling.gate_is_closed()) place_walls();
     archive(clock, random, inlet, clog_watch, supply_watch, particles, lists, fluid, next_insertion, next_porosity,
             particle_steps, energy, step_watch, computing_time);
+    if (model.scene.unclog.protocol == UnclogProtocol::rewind) archive(column);
     if (Archive::loading) lists.pairs.measure(particles);
   }
 };

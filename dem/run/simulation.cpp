@@ -5,6 +5,7 @@
 #include "dem/run/coming_and_going.hpp"
 #include "dem/run/forces.hpp"
 #include "dem/run/initial_placement.hpp"
+#include "dem/run/kept_column.hpp"
 #include "dem/run/present_network.hpp"
 #include "dem/run/rest_proof.hpp"
 #include "dem/run/saved_state.hpp"
@@ -91,6 +92,7 @@ void Simulation::begin_run() {
 }
 
 void Simulation::compute_forces() {
+  go_back_or_keep(state_);
   feed_inlet(state_);
   if (state_.clog_watch.pokes() || !state_.lists.hold(particles()))
     state_.lists.rebuild(state_.particles, leaving_particles(state_), state_.team);
@@ -117,6 +119,7 @@ void Simulation::record() {
   if (action == Action::friction_off || action == Action::poke) recorder_.begin_release(state_);
   if (action == Action::friction_on || action == Action::poke) recorder_.end_release(state_);
   if (action == Action::stop) recorder_.stop(state_);
+  state_.column.weigh(state_);
   const auto packing = [&] { return 1 - state_.fluid.strips().upstream_porosity().back(); };
   if (state_.supply_watch.drains(now, packing)) recorder_.drained(state_);
   recorder_.look(state_);

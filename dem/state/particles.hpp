@@ -30,7 +30,7 @@ inline double kinetic_energy(const ParticleState& p, const Vec3& v, const Vec3& 
 }
 
 struct Particles {
-  std::vector<std::int64_t> id;  ///< never used twice in a run
+  std::vector<std::int64_t> id;  ///< given once; a column that goes back brings its own with it
   std::vector<ParticleState> states;
   std::vector<std::uint8_t> passed;  ///< 1 once the passage plane was crossed
   std::vector<std::uint8_t> species;

@@ -291,6 +291,15 @@ TEST(Plan, WarnsOfCrystalsUntilSizesDiffer) {
   EXPECT_EQ(note({"particles.size_spread=0.1"}), "");
 }
 
+// Twenty seeds of scenes/campaign.toml, which rewinds, took 0.0440 s a burst at D/d = 2.13.
+TEST(Plan, SaysWhatABurstOfARewindCosts) {
+  const ExpectedBurst burst = make_plan(cheap_paper_scene({"geometry.channel_length=500 um", "inlet.start=flowing",
+                                                           "unclog.protocol=rewind", "particles.diameter=47 um"}))
+                                  .burst;
+  EXPECT_EQ(burst.unknown, "");
+  EXPECT_NEAR(burst.simulated(), 0.0440, 0.05 * 0.0440);
+}
+
 // Restarts of scenes/campaign.toml with 5 D of channel took 0.104 to 0.108 s a burst at D/d = 2.13 (48 and 445 bursts)
 // and 0.111 s at 2.5 (324 bursts).
 TEST(Plan, SaysWhatABurstCosts) {
@@ -322,7 +331,7 @@ TEST(Plan, SaysWhereNobodyMeasuredABurst) {
   EXPECT_THAT(unknown({"unclog.protocol=restart", "contact.friction.sliding=0.45"}),
               HasSubstr("friction 0.45, 0.6, 0.6 (sliding, rolling, torsion) is not on the map"));
   EXPECT_THAT(unknown({"unclog.protocol=stop", "particles.diameter=20 um"}), HasSubstr("not at 5"));
-  EXPECT_THAT(unknown({"unclog.protocol=release"}), HasSubstr("neither \"restart\" nor \"stop\""));
+  EXPECT_THAT(unknown({"unclog.protocol=release"}), HasSubstr("neither \"restart\", \"rewind\" nor \"stop\""));
   EXPECT_THAT(unknown({"unclog.protocol=stop", "contact.friction.rolling=0", "contact.friction.torsion=0"}),
               HasSubstr("only 1 of 6 seeds of the map clogged: <s> is above"));
   EXPECT_THAT(unknown({"unclog.protocol=stop", "geometry.half_angle=45 deg"}), HasSubstr("narrows at 60 deg"));

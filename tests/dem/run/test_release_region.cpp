@@ -1,4 +1,6 @@
 // A release near the neck: friction ends where its region begins, and only there. The arch that a poke takes out.
+#include <map>
+
 #include <gtest/gtest.h>
 
 #include "dem/protocol/frictionless_flow.hpp"
@@ -95,6 +97,46 @@ TEST(FlowingStart, BeginsDenseAndWithFriction) {
   EXPECT_EQ(simulation.time(), 0);
   EXPECT_TRUE(simulation.data().passages.time.empty());
   EXPECT_GT(state.fluid.strips().packing_fraction(), 0.25);
+}
+
+/// Where each particle is, by its number.
+std::map<std::int64_t, Vec3> places(const RunState& state) {
+  std::map<std::int64_t, Vec3> at;
+  for (std::size_t i = 0; i < state.count(); ++i) at[state.particles.id[i]] = state.particles[i].position();
+  return at;
+}
+
+TEST(Rewind, PutsTheColumnBackToWhereFrictionBegan) {
+  const Scene scene =
+      small_channel({"inlet.start=flowing", "inlet.strain=2", "unclog.protocol=rewind", "time.end=60 ms"});
+  const FlowGrid grid = synthetic_flow(scene);
+  Simulation simulation(scene, &grid, 3);
+  simulation.fill({});
+  simulation.compute_forces();
+  const RunState& state = simulation.state();
+  for (int restart = 0; restart < 2; ++restart) {
+    const auto began = places(state);
+    ASSERT_TRUE(step_while(simulation, [](const RunState& s) { return !s.clog_watch.friction_off(); }));
+    EXPECT_NE(places(state), began);
+    const std::int64_t inserted = state.inlet.inserted();
+    const double before = state.energy.supplied() - simulation.kinetic_energy() - simulation.elastic_energy();
+    simulation.advance();
+    simulation.compute_forces();
+    // What came in with this very step is there beside them.
+    std::size_t back = 0;
+    for (const auto& [id, place] : places(state)) back += began.contains(id) && began.at(id) == place;
+    EXPECT_EQ(back, began.size());
+    EXPECT_GE(state.inlet.inserted(), inserted);
+    // No energy is dissipated or made by it, but for that step's: the clog stood, what is put back flows.
+    const double after = state.energy.supplied() - simulation.kinetic_energy() - simulation.elastic_energy();
+    EXPECT_NEAR(after, before, 0.1 * simulation.kinetic_energy());
+    // The strain of a branch: D^3 over pi d^3 / 6 is 15 particles.
+    const std::int64_t gone = state.gone();
+    ASSERT_TRUE(step_while(simulation, [](const RunState& s) { return s.clog_watch.friction_off(); }));
+    EXPECT_EQ(state.gone() - gone, 15);
+    simulation.advance();
+    simulation.compute_forces();
+  }
 }
 
 }  // namespace
