@@ -75,13 +75,14 @@ Contacts collide(const PairTask& task, const typename Kind::Normal& law, const M
   const Lanes overlap = m.overlap();
   const Lanes least = least_overlap(law, m.place.effective_radius());
   const PairMotion moves = load_pair_motion<equal>(task, i, j);
-  const ContactGeometry<Lanes> contact =
-      m.place.contact(m.per_distance * m.place.apart, max(overlap, least), moves.mass);
+  ContactGeometry<Lanes> contact = m.place.contact(m.per_distance * m.place.apart, max(overlap, least), moves.mass);
+  constexpr ContactTerms now{terms.sliding, terms.rolling, terms.torsion, !equal};
+  if constexpr (now.midway) contact.turning = task.radius > 0 ? Lanes(0.0) : m.per_distance;
   const ContactMotion<Lanes> motion{moves.velocity, load_spin(p, i), load_spin(p, j)};
   Springs<Lanes> springs = load_springs<terms>(task.contacts, from);
   const Lanes rough = rough_share(
       task.law.friction, [&] { return Lanes(0.5) * (load_place(p, i).position.x + load_place(p, j).position.x); });
-  const ContactLoads<Lanes> loads = contact_loads<typename Kind::Turning, terms>(
+  const ContactLoads<Lanes> loads = contact_loads<typename Kind::Turning, now>(
       law, Coefficients::of(task.law.friction, p, i, j), contact, motion, task.dt, springs, rough);
   store_springs<terms>(task.contacts, from, springs);
   add_force(p, i, j, loads.force, used);

@@ -22,6 +22,9 @@ struct ContactGeometry {
   Real radius;          ///< R* [m]
   Real mass;            ///< m* [kg]
   Real arm_i, arm_j;    ///< from the centres to the contact point [m]; 0 for a wall
+  /// 1 / D of the centres' distance, by which the normal turns while they move; 0: a normal that does not turn, or
+  /// whose turning within a step is neglected [1/m]
+  Real turning = Real(0.0);
 };
 
 template <class Real>

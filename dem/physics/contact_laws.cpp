@@ -9,7 +9,7 @@ namespace clogflow {
 
 namespace {
 
-constexpr ContactTerms all{true, true, true};
+constexpr ContactTerms all{true, true, true, true};
 
 template <class Kind>
 constexpr ContactLawRow make_row(int number) {

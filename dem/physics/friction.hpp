@@ -14,6 +14,7 @@ namespace clogflow {
 /// Which springs exist; a term whose friction is zero is not even compiled in.
 struct ContactTerms {
   bool sliding, rolling, torsion;
+  bool midway = false;  ///< sliding by the normal of the time of the velocities, see sliding_velocity()
 
   bool any() const { return sliding || rolling || torsion; }
 };
@@ -103,6 +104,24 @@ struct ContactFriction {
   Real sliding, rolling, torsion;
 };
 
+/// Velocity at which the surfaces slide, along the contact plane. Velocities and spins are those of half a step before
+/// the places. A sphere that rolls without slip does so about the normal of that time, n_h = n - v_t dt / (2 D); about
+/// n it would seem to slip sideways, always the same way, by up to v^2 dt / (2 D).
+///   u = v_t - l x n + dt / (2 D) (l . n) (n x v),   v_t = v - (v . n) n,   l = a_i w_i + a_j w_j
+/// To first order in dt: v_t - l x n_h, projected on the plane of n.
+/// \tparam midway   without it the last part of u is left out
+/// \param approach  v . n [m/s]
+/// \return u [m/s]
+/// \source the idea: Vyas, Ottino, Lueptow & Umbanhowar, Comput. Phys. Commun. 310 (2025) 109524
+template <bool midway, class Real>
+Vector<Real> sliding_velocity(const ContactGeometry<Real>& g, const ContactMotion<Real>& m, const Real& approach,
+                              double dt) {
+  const Vector<Real> lever = g.arm_i * m.spin_i + g.arm_j * m.spin_j;
+  const Vector<Real> velocity = m.velocity - approach * g.normal - cross(lever, g.normal);
+  if constexpr (!midway) return velocity;
+  return velocity + (Real(0.5 * dt) * g.turning * dot(lever, g.normal)) * cross(g.normal, m.velocity);
+}
+
 /// Forces and torques of one contact, and its springs one step on. The arms sum up to the distance
 /// of the centres, so linear and angular momentum are conserved exactly.
 /// \param law       a normal law, e.g. Hertz
@@ -126,8 +145,7 @@ ContactLoads<Real> contact_loads(const NormalLaw& law, const Coefficients& frict
   const double turning = Turning::full_stiffness ? 1 / law.tangential_factor : 1;
   const Vector<Real> spin = m.spin_i - m.spin_j;
   if constexpr (terms.sliding) {
-    const Vector<Real> lever = g.arm_i * m.spin_i + g.arm_j * m.spin_j;
-    const Vector<Real> velocity = m.velocity - approach * g.normal - cross(lever, g.normal);
+    const Vector<Real> velocity = sliding_velocity<terms.midway>(g, m, approach, dt);
     const auto [spring, force] =
         spring_slider(turn_into_plane(springs.sliding, g.normal), velocity, slider(friction.sliding, 1));
     springs.sliding = spring;

@@ -87,10 +87,10 @@ void EnergyAccount::add_pairs(const RunState& state) {
     if (p.id[i] > p.id[j]) std::swap(i, j), springs = swapped(springs);
     const PairPlace<double> place = pair_place(p, i, j);
     const double distance = place.distance();
-    add_contact(state,
-                {i, j, model_.laws.pair,
-                 place.contact(1 / distance * place.apart, place.overlap(distance), reduced(p[i].mass, p[j].mass)),
-                 springs, 1, Vec3::Zero()});
+    ContactGeometry<double> geometry =
+        place.contact(1 / distance * place.apart, place.overlap(distance), reduced(p[i].mass, p[j].mass));
+    if (state.lists.pairs.equal_radius == 0) geometry.turning = 1 / distance;  // as in the hot loop
+    add_contact(state, {i, j, model_.laws.pair, geometry, springs, 1, Vec3::Zero()});
   });
 }
 

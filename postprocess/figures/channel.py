@@ -5,14 +5,14 @@ from matplotlib.patches import PathPatch, Polygon
 from matplotlib.path import Path
 
 import style
+from lengths import unit_of_scene
 
-UM = 1e6
 MARGIN = 1.06  # of wall beside the fluid
 
 
-def draw_sides(axes, geometry):
+def draw_sides(axes, geometry, scale):
     """Two sides without an obstacle between them: a shape given by keys."""
-    sides = [[(x * UM, y * UM) for x, y in geometry[side]] for side in ("upper", "lower")]
+    sides = [[(x * scale, y * scale) for x, y in geometry[side]] for side in ("upper", "lower")]
     outer = max(abs(y) for side in sides for _, y in side) * MARGIN
     for sign, side in zip((1, -1), sides):
         body = side + [(side[-1][0], sign * outer), (side[0][0], sign * outer)]
@@ -21,9 +21,9 @@ def draw_sides(axes, geometry):
     return sides[0][0][0], sides[0][-1][0], -outer, outer
 
 
-def draw_fluid(axes, loops):
+def draw_fluid(axes, loops, scale):
     """The cut of an STL channel half way up, closed lines around the fluid and around obstacles in it."""
-    loops = [np.array(loop) * UM for loop in loops]
+    loops = [np.array(loop) * scale for loop in loops]
     corners = np.concatenate(loops)
     (left, low), (right, high) = corners.min(axis=0), corners.max(axis=0)
     beside = (MARGIN - 1) / 2 * (high - low)
@@ -42,9 +42,10 @@ def draw_fluid(axes, loops):
 
 
 def draw(axes, geometry):
-    """Walls as solid bodies, axes in micrometres; shows seven neck widths before the constriction."""
+    """Walls as solid bodies, axes in unit_of_scene(); shows seven neck widths before the constriction."""
+    scale = unit_of_scene(geometry).per_metre
     fluid = geometry.get("fluid")
-    left, right, low, high = draw_fluid(axes, fluid) if fluid else draw_sides(axes, geometry)
-    axes.set_xlim(max(left, -7.0 * geometry["neck_width"] * UM), right)
+    left, right, low, high = draw_fluid(axes, fluid, scale) if fluid else draw_sides(axes, geometry, scale)
+    axes.set_xlim(max(left, -7.0 * geometry["neck_width"] * scale), right)
     axes.set_ylim(low, high)
     axes.set_aspect("equal")

@@ -12,6 +12,7 @@ import arch
 import channel
 import run_file
 import style
+from lengths import unit_of_scene
 from stats_files import suffix
 
 MM = 1e3
@@ -115,10 +116,11 @@ def fastest(snapshots):
     return max([float(np.quantile(s.speed, 0.99)) for s in snapshots if len(s.speed)] + [1e-12])
 
 
-def draw_particles(axes, snapshot, norm):
+def draw_particles(axes, snapshot, norm, group):
     """Spheres as circles, those in front (large z) on top, coloured by speed."""
     order = np.argsort(snapshot.position[:, 2])
-    xy, radius = snapshot.position[order, :2] * channel.UM, snapshot.radius[order] * channel.UM
+    scale = unit_of_scene(group["geometry"]).per_metre
+    xy, radius = snapshot.position[order, :2] * scale, snapshot.radius[order] * scale
     circles = PatchCollection([Circle(p, r) for p, r in zip(xy, radius)], cmap=SPEED_COLOURS, norm=norm,
                               edgecolor="#dfe5ea", linewidth=0.35, zorder=2)
     circles.set_array(snapshot.speed[order] * MM)
@@ -129,7 +131,8 @@ def draw_particles(axes, snapshot, norm):
 def mark_arch(axes, snapshot, group):
     """Rings around the particles that bear the load. Returns whether there is an arch."""
     rows = arch.arch_of(snapshot, group["geometry"]) if group["geometry"]["present"] else []
-    rings = [Circle(snapshot.position[k, :2] * channel.UM, 0.93 * snapshot.radius[k] * channel.UM) for k in rows]
+    scale = unit_of_scene(group["geometry"]).per_metre
+    rings = [Circle(snapshot.position[k, :2] * scale, 0.93 * snapshot.radius[k] * scale) for k in rows]
     axes.add_collection(PatchCollection(rings, facecolor="none", edgecolor=style.RELEASE, linewidth=1.3, zorder=4))
     return len(rows) > 0
 
@@ -150,8 +153,9 @@ def frame(axes, group, snapshots):
     if group["geometry"]["present"]:
         channel.draw(axes, group["geometry"])
         return
-    xy = np.concatenate([s.position[:, :2] for s in snapshots]) * channel.UM
-    margin = group["geometry"]["diameter"] * channel.UM
+    scale = unit_of_scene(group["geometry"]).per_metre
+    xy = np.concatenate([s.position[:, :2] for s in snapshots]) * scale
+    margin = group["geometry"]["diameter"] * scale
     axes.set_xlim(xy[:, 0].min() - margin, xy[:, 0].max() + margin)
     axes.set_ylim(xy[:, 1].min() - margin, xy[:, 1].max() + margin)
     axes.set_aspect("equal")
@@ -166,12 +170,13 @@ def draw(statistics, index):
         axes.set_axis_off()
         return figure
     snapshots = [run_file.read_snapshot(file, t) for t in moments]
+    unit = unit_of_scene(group["geometry"])
     norm = Normalize(0, fastest(snapshots) * MM)
     figure, panels = plt.subplots(len(moments), 1, sharex=True, squeeze=False, layout="compressed")
     for axes, snapshot, title, letter in zip(panels[:, 0], snapshots, titles, "abc"):
         frame(axes, group, snapshots)
-        circles = draw_particles(axes, snapshot, norm)
-        axes.set_ylabel(r"$y$ [µm]")
+        circles = draw_particles(axes, snapshot, norm, group)
+        axes.set_ylabel(f"$y$ [{unit.name}]")
         rings = title in STANDING and mark_arch(axes, snapshot, group)
         axes.set_title(f"{letter}  {title}".rstrip() + (" (ringed)" if rings else ""))
         say_time(axes, snapshot, group)
@@ -179,7 +184,7 @@ def draw(statistics, index):
     (left, right), (low, high) = panels[0, 0].get_xlim(), panels[0, 0].get_ylim()
     panel = style.width(PANEL + 1.5) - 1.5
     figure.set_size_inches(panel + 1.5, len(moments) * (panel * (high - low) / (right - left) + 0.27) + 0.35)
-    panels[-1, 0].set_xlabel(r"$x$ [µm]")
+    panels[-1, 0].set_xlabel(f"$x$ [{unit.name}]")
     speed_bar(figure, circles, panels[:, 0])
     return figure
 

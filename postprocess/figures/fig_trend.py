@@ -4,9 +4,15 @@ import numpy as np
 from matplotlib.markers import CARETDOWNBASE, CARETUPBASE
 
 import style
+from lengths import unit_of
 
 CUT = ("cut by releases", "cut by the stop")  # arrests whose exponent is no property of the clogs
-DISPLAY = {"m": ("µm", 1e6), "rad": ("deg", 180 / np.pi), "s": ("ms", 1e3)}
+DISPLAY = {"rad": ("deg", 180 / np.pi), "s": ("ms", 1e3)}
+
+
+def shown_in(unit, values):
+    """(unit, its number in one of `unit`)"""
+    return unit_of(*values) if unit == "m" else DISPLAY.get(unit, (unit, 1.0))
 
 
 class Variable:
@@ -16,7 +22,7 @@ class Variable:
         variable = trend["variable"]
         self.is_ratio = variable["name"] == "D/d"
         self.numeric = variable["numeric"]
-        unit, self.scale = DISPLAY.get(variable["unit"], (variable["unit"], 1.0)) if self.numeric else ("", 1.0)
+        unit, self.scale = shown_in(variable["unit"], [p["x"] for p in trend["points"]]) if self.numeric else ("", 1.0)
         self.name = "neck-to-particle ratio $D/d$ [1]" if self.is_ratio else style.plain(f"{variable['name']} [{unit}]".removesuffix(" []"))
         self.words = {p["x"]: style.plain(p["values"].get(variable["key"], "")) for p in trend["points"]}
 

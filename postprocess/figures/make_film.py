@@ -15,6 +15,7 @@ import matplotlib
 import matplotlib.pyplot as plt
 import run_file
 import style
+from lengths import unit_of_scene
 from matplotlib.colors import Normalize
 
 DPI = 150
@@ -32,13 +33,14 @@ def draw_frames(job, folder):
     fig_snapshots.frame(axes, group, snapshots)
     (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
     figure.set_figheight(max(2.2, 0.78 * style.PAGE * (high - low) / (right - left) + 0.7))
-    axes.set_xlabel("$x$ [µm]")
-    axes.set_ylabel("$y$ [µm]")
-    fig_snapshots.speed_bar(figure, fig_snapshots.draw_particles(axes, snapshots[0], norm), axes)
+    unit = unit_of_scene(group["geometry"])
+    axes.set_xlabel(f"$x$ [{unit.name}]")
+    axes.set_ylabel(f"$y$ [{unit.name}]")
+    fig_snapshots.speed_bar(figure, fig_snapshots.draw_particles(axes, snapshots[0], norm, group), axes)
     paths = []
     for k, snapshot in enumerate(snapshots):
         axes.collections[-1].remove()
-        fig_snapshots.draw_particles(axes, snapshot, norm)
+        fig_snapshots.draw_particles(axes, snapshot, norm, group)
         fig_snapshots.say_time(axes, snapshot, group)
         paths.append(folder / f"frame_{k + 1:04d}.png")
         figure.savefig(paths[-1], dpi=DPI, metadata={"Software": None})

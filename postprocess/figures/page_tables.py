@@ -3,6 +3,7 @@
 from markupsafe import Markup, escape
 
 import run_file
+from lengths import unit_of
 from page_cells import RULED_OUT_BELOW, Cell, Table, bounded, headline, interval, marked, number, quiet, ruling, size
 
 NOT_OF_THIS_PROTOCOL = "no release"
@@ -40,21 +41,23 @@ def sizes(groups):
     if not any(known):
         return []
 
+    unit = unit_of(*[each["feed_diameter"] for each in known if each])
+
     def row(name, cell):
         return [name, *["–" if each is None else cell(each) for each in known]]
 
     def mean(each):
         entry = each["passage_diameter"]
-        in_um = {k: 1e6 * v if isinstance(v, float) else v for k, v in entry.items()}
-        return interval(in_um) + " " + quiet(f"of {1e6 * each['feed_diameter']:.4g}")
+        shown = {k: unit.per_metre * v if isinstance(v, float) else v for k, v in entry.items()}
+        return interval(shown) + " " + quiet(f"of {unit.per_metre * each['feed_diameter']:.4g}")
 
-    rows = [row("mean diameter of passages [µm] (of the feed)", mean)]
+    rows = [row(f"mean diameter of passages [{unit.name}] (of the feed)", mean)]
     for k in range(max(len(each["species"]) for each in known if each)):
         def share(each, k=k):
             if k >= len(each["species"]):
                 return "–"
             kind = each["species"][k]
-            return interval(kind["passage_share"]) + " " + quiet(f"of {kind['feed_share']:.3g}; {1e6 * kind['diameter']:.4g} µm, {kind['passages']} passages")
+            return interval(kind["passage_share"]) + " " + quiet(f"of {kind['feed_share']:.3g}; {unit.per_metre * kind['diameter']:.4g} {unit.name}, {kind['passages']} passages")
         rows.append(row(f"share of species {k} in the passages (in the feed)", share))
     return rows
 

@@ -5,6 +5,8 @@ import tomllib
 
 import h5py
 
+from lengths import unit_of
+
 AFTER_A_CLOG = {"none": "a clog is left to itself", "release": "a clog is cleared by a moment without friction", "stop": "a run ends at its first clog",
                 "restart": "after a clog the column flows without friction and starts anew", "poke": "the arch of a clog is taken out"}
 DIGITS = 3
@@ -19,17 +21,23 @@ def scene_of(group):
 
 
 def span(values, scale, unit):
-    """33 µm, or 22 to 47 µm"""
+    """33 mm/s, or 22 to 47 mm/s"""
     low, high = (f"{scale * v:.{DIGITS}g}" for v in (min(values), max(values)))
     text = low if low == high else f"{low} to {high}"
     return f"{text} {unit}".strip()
 
 
+def span_of_lengths(values):
+    unit = unit_of(*values)
+    return span(values, unit.per_metre, unit.name)
+
+
 def through(shape):
     if not shape["present"]:
         return ""
-    width, height = 1e6 * shape["neck_width"], 1e6 * shape["neck_height"]
-    return f" through a neck of {width:.4g} µm" + (f" × {height:.4g} µm" if height > 0 else "")
+    unit = unit_of(shape["neck_width"])
+    width, height = (unit.per_metre * shape[side] for side in ("neck_width", "neck_height"))
+    return f" through a neck of {width:.4g} {unit.name}" + (f" × {height:.4g} {unit.name}" if height > 0 else "")
 
 
 def sentence(statistics):
@@ -37,7 +45,7 @@ def sentence(statistics):
     shapes = [g["geometry"] for g in groups]
     runs = [r for g in groups for r in g["runs"]]
     ratios = [s["neck_ratio"] for s in shapes if "neck_ratio" in s]
-    who = f"Spheres of {span([s['diameter'] for s in shapes], 1e6, 'µm')}" + (f" (D/d = {span(ratios, 1, '')})" if ratios else "")
+    who = f"Spheres of {span_of_lengths([s['diameter'] for s in shapes])}" + (f" (D/d = {span(ratios, 1, '')})" if ratios else "")
     speeds = [s["mean_velocity"] for s in shapes]
     how = f" driven by a flow of {span(speeds, 1e3, 'mm/s')}" if max(speeds) > 0 else ""
     swept = statistics.data.get("trend", {}).get("keys", []) if len(groups) > 1 else []
@@ -181,7 +189,7 @@ def methods(statistics, common):
 
     ratio = f" (D/d = {span([g['geometry']['neck_ratio'] for g in statistics.groups if 'neck_ratio' in g['geometry']], 1, '')})" if "neck_ratio" in shape else ""
     friction = scene.get("contact", {}).get("friction", {})
-    text = [f"Suspensions of spheres of {span([g['geometry']['diameter'] for g in statistics.groups], 1e6, 'µm')}{ratio} were simulated with {common.get('program', 'clogflow')}"
+    text = [f"Suspensions of spheres of {span_of_lengths([g['geometry']['diameter'] for g in statistics.groups])}{ratio} were simulated with {common.get('program', 'clogflow')}"
             f"{' (revision ' + common['revision'] + ')' if 'revision' in common else ''}, one-way coupled CFD-DEM: the particles are driven by the flow but do not act back on it."]
     if given("flow", "source") == "openfoam":
         text.append(f"The undisturbed flow (viscosity {given('fluid', 'viscosity')}, mean velocity {given('flow', 'mean_velocity')}) was solved once with OpenFOAM's simpleFoam "

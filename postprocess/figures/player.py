@@ -15,7 +15,7 @@ import fig_snapshots
 import matplotlib.pyplot as plt
 import numpy as np
 import run_file
-from channel import UM
+from lengths import MICRO
 
 MOST_FRAMES = 60
 MOST_BYTES = 4_500_000  # in the page
@@ -27,6 +27,7 @@ LEVELS = 65535          # of a number of 16 bits
 IN_TEXT = 4 / 3         # base64
 FAINT = 0.02            # of the strongest force: a tube that nobody sees
 A_WALL = LEVELS         # in place of a particle
+UM = MICRO.per_metre      # whatever the page writes: a film has no axes
 THREE = "/usr/share/javascript/three/three.min.js"  # Debian's libjs-three
 
 

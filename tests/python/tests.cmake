@@ -1,5 +1,5 @@
 # The package of python/, on files that the program writes, and the notebooks that show it.
-foreach(part files statistics program export film page terminal)
+foreach(part files statistics program export film lengths page terminal)
   add_test(NAME python.${part} COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/python/run_test test_${part} $<TARGET_FILE:clog>)
   set_tests_properties(python.${part} PROPERTIES LABELS pipeline SKIP_RETURN_CODE 77 TIMEOUT ${test_time_limit})
 endforeach()

@@ -25,7 +25,11 @@ std::vector<Entry> all_groups() {
           {"energy_of_a_cluster", energy_of_a_cluster},
           {"momentum", momentum},
           {"frames", frames},
-          {"orders", orders}};
+          {"orders", orders},
+          {"no_energy_from_impacts", no_energy_from_impacts},
+          {"no_spin_without_torque", no_spin_without_torque},
+          {"held_beside_large", held_beside_large},
+          {"rolling_between_large", rolling_between_large}};
 }
 
 }  // namespace clogflow::verification

@@ -57,6 +57,12 @@ Group momentum();
 Group frames();
 Group orders();
 
+// Guards.
+Group no_energy_from_impacts();
+Group no_spin_without_torque();
+Group held_beside_large();
+Group rolling_between_large();
+
 struct Entry {
   std::string name;
   std::function<Group()> run;

@@ -12,7 +12,9 @@ add_library(clog_verification OBJECT
   verification/cohesion.cpp
   verification/convergence.cpp
   verification/energy.cpp
-  verification/invariants.cpp)
+  verification/invariants.cpp
+  verification/guards.cpp
+  verification/large_beside_small.cpp)
 target_link_libraries(clog_verification PUBLIC clog_dem clog_test_support)
 clog_tests(test_verification
   SOURCES verification/test_verification.cpp

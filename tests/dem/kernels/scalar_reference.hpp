@@ -52,6 +52,11 @@ private:
   static Vec3 velocity(const Particles& p, int i) { return p[i].velocity(); }
   static Vec3 spin(const Particles& p, int i) { return p[i].spin(); }
 
+  /// Spheres of one size have a loop of their own, with one thing less.
+  static bool are_equal(const Particles& p) {
+    return std::ranges::adjacent_find(p.states, std::not_equal_to<>(), &ParticleState::radius) == p.states.end();
+  }
+
   void pair(const Model& model, const Particles& p, const std::pair<int, int>& id, const std::pair<int, int>& at,
             double dt, Touching& touching, Loads& sum) {
     const auto [i, j] = at;
@@ -70,7 +75,8 @@ private:
                                       radius,
                                       p[i].mass * p[j].mass / (p[i].mass + p[j].mass),
                                       p[i].radius + gap / 2,
-                                      p[j].radius + gap / 2};
+                                      p[j].radius + gap / 2,
+                                      are_equal(p) ? 0 : 1 / distance};
       const auto loads =
           model.laws.pair.at(0, p.species[i], p.species[j]).loads(g, {moves, spin(p, i), spin(p, j)}, dt, springs);
       touching[id] = springs;

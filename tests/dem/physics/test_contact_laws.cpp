@@ -185,6 +185,44 @@ TEST(ContactLoads, TurnWithTheFrame) {
   EXPECT_LT(norm(turn(here.torque_i) - there.torque_i), 1e-14 * norm(here.torque_i));
 }
 
+/// A small sphere that rolls without slip in the groove of two large ones along x, half a step after and half a step
+/// before it is on top of them.
+struct Rolling {
+  double large, small, speed = 0.02, dt = 1e-6;
+
+  ContactGeometry<double> geometry() const {
+    const double distance = large + small, way = std::sqrt(distance * distance - large * large);
+    return {{large / distance, 0, way / distance}, 0, small, 1e-7, small, large, 1 / distance};
+  }
+
+  /// Angle about the axis in one step.
+  double turn() const { return speed * dt / (geometry().normal.z / geometry().turning); }
+
+  ContactMotion<double> motion() const {
+    return {{0, speed, speed * turn() / 2}, {-speed / (small * geometry().normal.z), 0, 0}, {0, 0, 0}};
+  }
+};
+
+TEST(SlidingVelocity, OfASphereThatRollsIsZeroAboutTheNormalOfItsTime) {
+  for (const double ratio : {1.0, 5.0, 20.0}) {
+    const Rolling rolling{ratio * 2.5e-4, 2.5e-4};
+    const auto g = rolling.geometry();
+    const auto m = rolling.motion();
+    const double approach = dot(m.velocity, g.normal);
+    const double aside = norm(sliding_velocity<false>(g, m, approach, rolling.dt));
+    EXPECT_NEAR(aside, rolling.speed * rolling.turn() / 2 * g.normal.x, 1e-3 * aside) << ratio;
+    EXPECT_LT(norm(sliding_velocity<true>(g, m, approach, rolling.dt)), 1e-3 * aside) << ratio;
+  }
+}
+
+TEST(SlidingVelocity, OfANormalThatDoesNotTurnHasNoMore) {
+  const ContactMotion<double> m{{1e-3, -2e-3, 5e-4}, {3, -20, 10}, {-7, 5, 30}};
+  const auto g = geometry({2.0 / 3, -1.0 / 3, 2.0 / 3});
+  const double approach = dot(m.velocity, g.normal);
+  const V without = sliding_velocity<false>(g, m, approach, 1e-6), with = sliding_velocity<true>(g, m, approach, 1e-6);
+  EXPECT_EQ(norm(with - without), 0);
+}
+
 TEST(ContactLoads, DoublingIsTheExperimentItSaysItIs) {
   Springs<double> s{};
   s.torsion = 1e-12;
