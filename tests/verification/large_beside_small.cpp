@@ -187,10 +187,8 @@ Group rolling_between_large() {
       "from 1 degree off the top. References: m v^2 / 2 in LAMMPS' log of that example, with its mended integrator; "
       "and a rigid sphere that rolls, slips and leaves, integrated alone, at other sizes, frictions and steps. Limits: "
       "1e-3 of the log, whose energies grow e-fold every 15,000 steps; of the angle 0.1 degrees, and 5 where it "
-      "leaves, "
-      "for springs that are carried along a circle of latitude turn, and add to the pressing. One that is caught "
-      "misses "
-      "that by 80 degrees and more.",
+      "leaves, for springs also pull along the axis, which the law leaves out. One that is caught misses that by 80 "
+      "degrees and more.",
       {}};
   {
     struct Record {
