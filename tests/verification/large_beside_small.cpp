@@ -11,8 +11,8 @@ using test::laboratory_scene;
 
 namespace {
 
-/// Mass of the large spheres over their own: they do not move while the small one does.
-constexpr double immovable = 1e18;
+/// Mass of the large spheres over their own: while the small one moves they do not, by any digit.
+constexpr double immovable = 1e24;
 
 /// Two large spheres along x, which do not move, and a small one, number 0.
 struct Three {
