@@ -101,13 +101,12 @@ Group no_energy_from_impacts() {
   Group group{
       "No energy from an impact",
       "LAMMPS' guard `dem04-legacy-hookehistory-grazing` (lammps/lammps, pull requests 5007 and 5113): 3.9 m/s at 76 "
-      "degrees "
-      "from the normal, linear spring of 2e7 N/m, friction 0.5, where its wall once gave 34 % more than came in. The "
-      "reference there is LAMMPS' own record; the limit is the lever r - delta/2 of our torque. Then the largest "
-      "energy after over that before, over incident angles of 0 to 88 degrees, 76 among them, without spin and with "
-      "spin about all three axes: on a wall, on an equal sphere, on one three times as large; every combination of "
-      "terms. Friction, rolling and torsion may each only take: no gain; the limit, 1e-6 as in LAMMPS' guard, is for "
-      "the integrator, which gains 2e-8 in a head-on elastic impact.",
+      "degrees from the normal, linear spring of 2e7 N/m, friction 0.5, where its wall once gave 34 % more than came "
+      "in. The reference there is LAMMPS' own record; the limit is the lever r - delta/2 of our torque. Then the "
+      "largest energy after over that before, over incident angles of 0 to 88 degrees, 76 among them, without spin "
+      "and with spin about all three axes: on a wall, on an equal sphere, on one three times as large; sliding "
+      "alone, with rolling, with torsion, with both. Friction, rolling and torsion may each only take: no gain; the "
+      "limit, 1e-6 as in LAMMPS' guard, is for the integrator, which gains 2e-8 in a head-on elastic impact.",
       {}};
   {
     const double e = 0.92469027185 / 0.94345;
@@ -151,8 +150,8 @@ Group no_spin_without_torque() {
       "No spin without a torque",
       "All friction terms on. Head-on: no arm, no spin. Without friction at 76 degrees: the spin and the tangential "
       "velocity that came are those that leave. Where the patch does not slip, v_t = w r, nothing acts on it but for "
-      "the lever r - delta/2: a share of delta/(2 r) of the spin at most, delta Hertz' largest overlap. Pressed along "
-      "the line of three centres: none, though sizes and directions are odd. Spins over v / r; limits are rounding.",
+      "the lever r - delta/2: a share of delta/(2 r) of the spin at most, delta Hertz' largest overlap. Pressed along"
+      " the line of three centres: none, though sizes and directions are odd. Spins over v / r; limits are rounding.",
       {}};
   const Friction rough{.sliding = 0.5, .rolling = 0.3, .torsion = 0.3};
   const double unit = 3.9 / radius;

@@ -75,9 +75,9 @@ Group held_beside_large() {
   Group group{
       "Small spheres held by large ones",
       "A sphere of 33 um (E = 3 MPa, friction 0.5) clamped by an overlap of 5e-3 r between two spheres that do not "
-      "move, 1 to 20 times as large, under a load across of 0.2 of the clamping force at each contact: well inside the "
-      "cone, also while the load, put on at once, overshoots. 2e5 steps of 0.05 and 0.4 of 2 sqrt(m/k). It must yield "
-      "by F / (2 k_t), Mindlin's springs, and then rest: no creep, no energy. Limit of the first: the spheres' "
+      "move, 1 to 20 times as large, under a load across of 0.2 of the clamping force at each contact: well inside "
+      "the cone, also while the load, put on at once, overshoots. 2e5 steps of 0.05 and 0.4 of 2 sqrt(m/k). It must "
+      "yield by F / (2 k_t), Mindlin's springs, and then rest: no creep, no energy. Limit of the first: the spheres' "
       "curvature, delta / r; of the others: rounding.",
       {}};
   for (const double share : {0.05, 0.4})
@@ -178,17 +178,17 @@ struct Rolling : Three {
 Group rolling_between_large() {
   Group group{
       "A small sphere rolls down between large ones",
-      "Velocities are known half a step before places. About the normal at the place, a sphere that rolls would seem "
-      "to "
-      "slip sideways, always the same way; the spring of that slip presses one that rolls between large spheres into "
-      "their groove, and where friction holds it there, from R / r = (1 + sqrt(1 + mu^2)) / mu^2 on, it never leaves: "
-      "Vyas, Ottino, Lueptow & Umbanhowar, Comput. Phys. Commun. 310 (2025) 109524. Their three spheres as in LAMMPS' "
-      "example `examples/granular/in.sync_verlet`: 0.5 mm on two of 10 mm, k = 1e4 N/m, friction 0.5, step 1e-6 s, "
-      "from 1 degree off the top. References: m v^2 / 2 in LAMMPS' log of that example, with its mended integrator; "
-      "and a rigid sphere that rolls, slips and leaves, integrated alone, at other sizes, frictions and steps. Limits: "
+      "Velocities are known half a step before places. About the normal at the place, a sphere that rolls would "
+      "seem to slip sideways, always the same way; the spring of that slip presses one that rolls between large "
+      "spheres into their groove, and it sticks: Vyas, Ottino, Lueptow & Umbanhowar, Comput. Phys. Commun. 310 "
+      "(2025) 109524. By our reckoning it never leaves where the groove is steeper than the cone of friction, from "
+      "R / r = (1 + sqrt(1 + mu^2)) / mu^2 on. Their three spheres as in LAMMPS' example "
+      "`examples/granular/in.sync_verlet`: 0.5 mm on two of 10 mm, k = 1e4 N/m, friction 0.5, step 1e-6 s, from 1 "
+      "degree off the top. References: m v^2 / 2 in LAMMPS' log of that example, with its mended integrator; and a "
+      "rigid sphere that rolls, slips and leaves, integrated alone, at other sizes, frictions and steps. Limits: "
       "1e-3 of the log, whose energies grow e-fold every 15,000 steps; of the angle 0.1 degrees, and 5 where it "
-      "leaves, for springs also pull along the axis, which the law leaves out. One that is caught misses that by 80 "
-      "degrees and more.",
+      "leaves, for springs also pull along the axis, which the law leaves out. One that is caught misses that by "
+      "80 degrees and more.",
       {}};
   {
     struct Record {
