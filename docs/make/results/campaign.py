@@ -39,8 +39,8 @@ class Point:
 def numerics(group):
     """What a group was computed with, in words."""
     scene = tomllib.loads(group["scene"])
-    time, modulus = scene["time"], float(scene["contact"]["youngs_modulus"].split()[0])
-    return (f"{number(1e-6 * modulus)} MPa, mass x {time['mass_scale']:g}, moment of inertia x {time['rotational_inertia_scale']:g}, a step of "
+    time = scene["time"]
+    return (f"{scene['contact']['youngs_modulus']}, mass x {time['mass_scale']:g}, moment of inertia x {time['rotational_inertia_scale']:g}, a step of "
             f"{time['contact_limit_share']:g} of what the contacts allow")
 
 

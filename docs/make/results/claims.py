@@ -140,7 +140,9 @@ def packing(campaign):
     if not rows:
         return "-", ABSENT
     steady = [(p, p.group["steady"]["packing_fraction"]["value"], p.group["steady"]["particles"]["value"]) for p, _, _ in rows]
-    ours = "; ".join(f"{number(p.ratio)}: {number(phi, 2)}, {number(n)} particles" for p, phi, n in steady)
+    geometry = rows[0][0].group["geometry"]
+    length = geometry["channel_length"] / geometry["neck_width"]
+    ours = "; ".join(f"{number(p.ratio)}: {number(phi, 2)}, {number(n)} particles" for p, phi, n in steady) + f" (a column that flows, in {number(length)} D of channel; the paper's 10)"
     close = [abs(phi / claimed - 1) < 0.15 for (_, phi, _), (_, _, claimed) in zip(steady, rows)]
     return ours, AGREES if all(close) else PARTLY if any(close) else DIFFERS
 
