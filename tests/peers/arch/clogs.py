@@ -1,0 +1,115 @@
+"""Clogs of the campaign's scene, and what the program's own laws say of the same spheres."""
+
+import subprocess
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+SCENE = Path(__file__).resolve().parents[3] / "scenes" / "campaign.toml"
+DIAMETER = 47e-6
+END = 0.2  # [s] 21 Stokes times
+CLOG = {"particles.diameter": f"{DIAMETER} m", "inlet.start": "flowing", "unclog.protocol": "none",
+        "time.end": f"{END} s", "output.snapshot_interval": "5 ms", "output.contacts": "true", "ensemble.sweep": "[]"}
+LAWS = {  # of the drag, in words of a scene; at rest "mixture" is the paper's
+    "strips": {},
+    "mixture": {"drag.velocity": "mixture"},
+    "local": {"porosity.method": "local"},
+    "neck strip": {"porosity.neck": "true"},
+    "superficial": {"drag.velocity": "superficial"},
+    "beetstra": {"drag.law": "beetstra"}}
+
+
+def call(words, folder=None):
+    done = subprocess.run([str(w) for w in words], cwd=folder, capture_output=True, text=True)
+    if done.returncode:
+        raise SystemExit(f"{words[0]} {words[1]}: {(done.stderr or done.stdout).strip().splitlines()[-1]}")
+    return done.stdout
+
+
+def settings(values):
+    return [word for key, value in values.items() for word in ("--set", f"{key}={value}")]
+
+
+def solve_flow(program, folder, cells):
+    """folder/flow.h5, unless it is there."""
+    flow = folder / "flow.h5"
+    if not flow.exists():
+        coarse = settings({"flow.mesh_cells_per_neck": cells, "ensemble.sweep": "[]"})
+        call([program, "case", SCENE, folder / "flow", *coarse])
+        call([folder / "flow" / "Allrun", ""])
+        call([program, "map", folder / "flow", "--out", flow])
+    return flow
+
+
+@dataclass(frozen=True)
+class Clog:
+    """The last snapshot of a run. Arrays have a row a sphere, sorted by x; SI units."""
+
+    seed: int
+    id: np.ndarray  # [n]
+    place: np.ndarray  # [n, 3]
+    speed: np.ndarray  # [n]
+    drag: np.ndarray  # [n, 3] all forces less those of contacts, which at rest is drag alone
+    contact: np.ndarray  # [n] sum of the normal forces on it
+    passed: int
+    last_passage: float
+
+
+def read_clog(file, seed):
+    import h5py
+    with h5py.File(file) as run:
+        begin, links = run["snapshots/first"][-1], run["contacts/first"][-1]
+        ids, place, velocity, force = (run[f"snapshots/{name}"][begin:] for name in ("id", "position", "velocity", "force"))
+        a, b, normal, push = (run[f"contacts/{name}"][links:] for name in ("a", "b", "normal", "force"))
+        passages = run["passages/time"][:]
+    row = {number: k for k, number in enumerate(ids)}
+    drag, load = force.copy(), np.zeros(len(ids))
+    for one, other, n, f in zip(a, b, normal.astype(float), push.astype(float)):
+        drag[row[one]] -= f
+        load[row[one]] += n @ f
+        if other >= 0:
+            drag[row[other]] += f
+            load[row[other]] += n @ f
+    order = np.argsort(place[:, 0])
+    return Clog(seed, ids[order], place[order], np.linalg.norm(velocity, axis=1)[order], drag[order], load[order],
+                len(passages), passages[-1] if len(passages) else 0.0)
+
+
+def make_clog(program, flow, folder, seed):
+    """The run folder/seed_N, unless it is there, and its clog."""
+    out = folder / f"seed_{seed}"
+    file = out / f"run_{seed:04}.h5"
+    if not file.exists():
+        call([program, "run", SCENE, "--flow", flow, "--seeds", seed, "--out", out, *settings(CLOG)])
+    return read_clog(file, seed)
+
+
+def law_drag(program, flow, folder, clog, law):
+    """[n, 3] drag of the clog's spheres at rest, as the program computes it at these places under another law [N]."""
+    out = folder / f"law_{clog.seed}_{law.replace(' ', '_')}"
+    out.mkdir(parents=True, exist_ok=True)
+    start = out / "start.csv"
+    start.write_text("x,y,z\n" + "".join(",".join(f"{c:.17g}" for c in p) + "\n" for p in clog.place))
+    file = out / "run_0001.h5"
+    if not file.exists():
+        once = {"particles.initial": start, "inlet.enabled": "false", "time.end": "20 us", "output.snapshot_interval": "1 us",
+                "inlet.start": "empty"}
+        call([program, "run", SCENE, "--flow", flow, "--seeds", 1, "--out", out, *settings(CLOG | once | LAWS[law])])
+    return first_drag(file, clog.place)
+
+
+def first_drag(file, places):
+    import h5py
+    with h5py.File(file) as run:
+        rows = slice(0, len(places))
+        ids, place, force = (run[f"snapshots/{name}"][rows] for name in ("id", "position", "force"))
+        links = slice(0, run["contacts/first"][1])
+        a, b, push = (run[f"contacts/{name}"][links] for name in ("a", "b", "force"))
+    row = {number: k for k, number in enumerate(ids)}
+    for one, other, f in zip(a, b, push.astype(float)):
+        force[row[one]] -= f
+        if other >= 0:
+            force[row[other]] += f
+    nearest = np.argmin(np.linalg.norm(places[:, None] - place[None], axis=2), axis=1)
+    return force[nearest]
