@@ -15,7 +15,6 @@ LAWS = {  # of the drag, in words of a scene; at rest "mixture" is the paper's
     "strips": {},
     "mixture": {"drag.velocity": "mixture"},
     "local": {"porosity.method": "local"},
-    "neck strip": {"porosity.neck": "true"},
     "superficial": {"drag.velocity": "superficial"},
     "beetstra": {"drag.law": "beetstra"}}
 
@@ -40,6 +39,17 @@ def solve_flow(program, folder, cells):
         call([folder / "flow" / "Allrun", ""])
         call([program, "map", folder / "flow", "--out", flow])
     return flow
+
+
+def nearest_velocity(flow, places):
+    """V0 at the grid's points nearest to places [n, 3] [m/s]"""
+    import h5py
+    with h5py.File(flow) as file:
+        image = file["VTKHDF"]
+        field = image["PointData/U"][...]
+        at = np.rint((places - image.attrs["Origin"]) / image.attrs["Spacing"][0]).astype(int)
+    at = np.clip(at, 0, np.array(field.shape[2::-1]) - 1)
+    return field[at[:, 2], at[:, 1], at[:, 0]].astype(float)
 
 
 @dataclass(frozen=True)

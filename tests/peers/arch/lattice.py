@@ -20,7 +20,7 @@ ROW = 3
 
 
 def lattice_problem(solid, cells, shrink):
-    """Lengths in diameters of the unshrunk sphere. \\param cells  about so many a diameter"""
+    """Lengths in diameters of the unshrunk sphere. cells: about so many a diameter"""
     edge = (math.pi / 6 / solid) ** (1 / 3)
     across = 2 * round(cells * edge / 2)
     places = np.array([[(k + 1) * edge, 0, 0] for k in range(ROW)])

@@ -6,7 +6,7 @@ there is a pack, so only those LAYER and more behind the inlet are compared.
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -34,55 +34,47 @@ class Resolved:
     told: dict  # cells, iterations, seconds
 
 
-def kept(clog):
+@dataclass(frozen=True)
+class Variant:
+    cells: int  # a neck width, even
+    shrink: float = 0.0  # share of the diameter
+    slower: int = 1  # than the scene's flow, so many times
+    start: float = CHANNEL.start  # of the mesh [D]
+
+    @property
+    def name(self):
+        return f"{self.cells}_{self.shrink}_{self.slower}_{self.start}"
+
+
+def kept(clog, start=CHANNEL.start):
     """Rows of the clog's spheres that the mesh holds."""
     x = clog.place[:, 0] / NECK
-    return np.flatnonzero((x > CHANNEL.start + CLEAR + DIAMETER / NECK / 2) & (x < CHANNEL.end - CLEAR))
+    return np.flatnonzero((x > start + CLEAR + DIAMETER / NECK / 2) & (x < CHANNEL.end - CLEAR))
 
 
 def compared(clog):
-    """Of those kept, the ones that are compared."""
-    return clog.place[kept(clog), 0] / NECK > CHANNEL.start + LAYER
+    """Rows of those that are compared."""
+    return np.flatnonzero((clog.place[:, 0] / NECK > CHANNEL.start + LAYER) & (clog.place[:, 0] / NECK < CHANNEL.end - CLEAR))
 
 
-def clog_problem(places, cells, shrink, slower=1.0):
-    """\\param cells  a neck width, even; \\param shrink  share of the diameter; \\param slower  than the scene's flow"""
-    return Problem(low=(CHANNEL.start, -CHANNEL.width / 2, 0), high=(CHANNEL.end, CHANNEL.width / 2, CHANNEL.height),
-                   cells_per_length=cells, places=places / NECK,
-                   radii=np.full(len(places), (1 - shrink) * DIAMETER / NECK / 2),
-                   viscosity=slower / REYNOLDS, wedges=CHANNEL.wedges())
+def clog_problem(places, variant):
+    channel = replace(CHANNEL, start=variant.start)
+    return Problem(low=(channel.start, -channel.width / 2, 0), high=(channel.end, channel.width / 2, channel.height),
+                   cells_per_length=variant.cells, places=places / NECK,
+                   radii=np.full(len(places), (1 - variant.shrink) * DIAMETER / NECK / 2),
+                   viscosity=variant.slower / REYNOLDS, wedges=channel.wedges())
 
 
-def resolve(folder, name, places, cells, shrink=0.0, slower=1.0):
+def resolve(folder, name, places, variant):
     """Of a case folder/NAME, solved unless it is."""
-    problem, where = clog_problem(places, cells, shrink, slower), folder / name
+    problem, where, slower = clog_problem(places, variant), folder / name, variant.slower
     if not (where / "seconds").exists():
         write_case(problem, where)
     told = solve(where)
     case = read_case(where)
-    raw = sphere_loads(case["spheres"], problem.places, problem.radii, 1 / cells) if len(places) else None
+    raw = sphere_loads(case["spheres"], problem.places, problem.radii, 1 / variant.cells) if len(places) else None
     loads = raw and Loads(raw.force * FORCE / slower, raw.torque * FORCE * NECK / slower, raw.covered,
                           raw.meshed * FORCE / slower)
     drop = (case["inlet"].mean_pressure() - case["outlet"].mean_pressure()) * PRESSURE / slower
     return Resolved(loads, drop, balance(case), told)
 
-
-def sphere_share(places, radius, edges):
-    """Solid volume over volume of the slices of the channel between the edges along x [m]."""
-    t = np.clip((edges[:, None] - places[None, :, 0]) / radius, -1, 1)
-    below = np.pi * radius**3 * (2 / 3 + t - t**3 / 3)
-    fine = np.array([np.mean(CHANNEL.area(np.linspace(a, b, 50) / NECK)) for a, b in zip(edges, edges[1:])])
-    return np.diff(below.sum(axis=1)) / (fine * NECK**2 * np.diff(edges))
-
-
-def bed_drop(places, shrink=0.0, inertia=False):
-    """Pressure drop of the mesh's channel by Carman and Kozeny, or Ergun, slice by slice (about a diameter) [Pa]:
-    180 eta U (1-e)^2/(e^3 d^2), or 150 of that and 1.75 rho U^2 (1-e)/(e^3 d)."""
-    d = (1 - shrink) * DIAMETER
-    edges = np.linspace(CHANNEL.start, CHANNEL.end, 1 + round((CHANNEL.end - CHANNEL.start) * NECK / d)) * NECK
-    solid = sphere_share(places, d / 2, edges)
-    speed = RATE / (CHANNEL.area((edges[1:] + edges[:-1]) / 2 / NECK) * NECK**2)
-    slope = (150 if inertia else 180) * VISCOSITY * speed * solid**2 / ((1 - solid) ** 3 * d**2)
-    if inertia:
-        slope += 1.75 * DENSITY * speed**2 * solid / ((1 - solid) ** 3 * d)
-    return float(np.sum(slope * np.diff(edges)))

@@ -12,7 +12,7 @@ import numpy as np
 
 from .clogs import CLOG, DIAMETER, END, SCENE, call, read_clog, settings
 
-RAMP, STEP, HOLD = 10, 5e-3, 0.1  # steps, [s], [s]
+RAMP, STEP, HOLD = 5, 5e-3, 0.1  # steps, [s], [s]
 REACH = 0.4  # around a centre the field is its sphere's [d]
 MOVED = 0.1  # a sphere that moved by more is another arch's [d]
 

@@ -4,30 +4,34 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .clogs import DIAMETER, LAWS, law_drag, make_clog, solve_flow
+from .clogs import DIAMETER, LAWS, law_drag, make_clog, nearest_velocity, solve_flow
 from .lattice import lattice_drag
-from .resolved import bed_drop, compared, kept, resolve
+from .plug import plug_drag
+from .resolved import Variant, compared, kept, resolve
 from .tables import Table
+from .trial import try_arch
 
 
 @dataclass(frozen=True)
 class Plan:
-    seeds: tuple
     flow_cells: int  # of the undisturbed flow, a neck width
     lattices: tuple  # solid, cells a diameter, shrink
-    cases: tuple  # seed, cells a neck width, shrink, how much slower than the scene's flow
+    cases: tuple  # seed, Variant
     empty_cells: int
     stands: bool  # whether the arches are tried
 
 
-COARSE = Plan(seeds=(1,), flow_cells=24, lattices=((0.216, 12, 0.0), (0.5236, 12, 0.0)), cases=((1, 20, 0.0, 1),),
-              empty_cells=16, stands=False)
+COARSE = Plan(flow_cells=24, lattices=((0.216, 12, 0.0), (0.5236, 12, 0.0)), cases=((1, Variant(20)),), empty_cells=16,
+              stands=False)
+SEEDS = 1, 2, 3, 4, 5
 FULL = Plan(
-    seeds=(1, 2, 3), flow_cells=48,
+    flow_cells=48,
     lattices=tuple((solid, cells, 0.0) for solid in (0.216, 0.343, 0.45, 0.5236) for cells in (12, 18, 24))
     + tuple((0.5236, 18, shrink) for shrink in (0.01, 0.02)),
-    cases=tuple((seed, 26, shrink, 1) for seed in (1, 2, 3) for shrink in (0.0, 0.01, 0.02))
-    + tuple((seed, 38, 0.0, 1) for seed in (1, 2, 3)) + ((1, 50, 0.0, 1), (1, 26, 0.0, 100)),
+    cases=tuple((seed, Variant(26)) for seed in SEEDS) + tuple((seed, Variant(38)) for seed in SEEDS[:3])
+    + ((1, Variant(26, 0.01)), (1, Variant(26, 0.02)), (1, Variant(26, slower=100)), (1, Variant(26, start=-2.5)))
+    + tuple((seed, Variant(38)) for seed in SEEDS[3:]) + ((1, Variant(50)),)
+    + tuple((seed, Variant(26, shrink)) for seed in (2, 3) for shrink in (0.01, 0.02)),
     empty_cells=20, stands=True)
 
 
@@ -35,8 +39,8 @@ def say(words):
     print(words, flush=True)
 
 
-def columns(name, vectors, k):
-    return {f"{name} {axis}": f"{vectors[k, a]:.6g}" for a, axis in enumerate("xyz")}
+def columns(name, vector):
+    return {f"{name} {axis}": f"{value:.6g}" for axis, value in zip("xyz", vector)}
 
 
 def run_study(program, plan, work, data):
@@ -46,54 +50,51 @@ def run_study(program, plan, work, data):
         say(f"lattice {solid}, d/{cells}, shrunk by {shrink}")
         lattices.row(lambda: lattice_drag(work, solid, cells, shrink),
                      **{"solid": solid, "cells a diameter": cells, "shrink": shrink})
-    flow = solve_flow(program, work, plan.flow_cells)
-    cases = Table(data / "cases.csv", ("seed", "cells", "shrink", "slower"))
+    cases = Table(data / "cases.csv", ("seed", "cells", "shrink", "slower", "start"))
     say("channel without spheres")
-    cases.row(lambda: empty(work, plan.empty_cells), seed=0, cells=plan.empty_cells, shrink=0.0, slower=1)
-    for seed in plan.seeds:
-        say(f"clog {seed}")
-        study_clog(program, plan, work, data, flow, cases, seed)
-
-
-def empty(work, cells):
-    found = resolve(work, "empty", np.zeros((0, 3)), cells)
-    return {"mesh cells": found.told["cells"], "iterations": found.told["iterations"], "seconds": found.told["seconds"],
-            "balance": found.balance, "drop [Pa]": found.pressure_drop, "bed [Pa]": 0, "ergun [Pa]": 0,
-            "covered": 1, "torque": 0}
-
-
-def study_clog(program, plan, work, data, flow, cases, seed):
-    clog = make_clog(program, flow, work, seed)
-    rows, inner = kept(clog), compared(clog)
-    laws = {law: law_drag(program, flow, work, clog, law)[rows] for law in LAWS}
-    spheres = Table(data / f"clog_{seed}.csv", ("row",))
-    for k, row in enumerate(rows):
-        spheres.row(lambda: {"x [m]": clog.place[row, 0], "y [m]": clog.place[row, 1], "z [m]": clog.place[row, 2],
-                             "compared": int(inner[k]), "contact [N]": f"{clog.contact[row]:.4g}",
-                             "speed [m/s]": f"{clog.speed[row]:.3g}"} | columns("run", clog.drag[rows], k)
-                    | {name: value for law in LAWS for name, value in columns(law, laws[law], k).items()}, row=k)
-    for number, cells, shrink, slower in plan.cases:
-        if number != seed:
-            continue
-        name = f"clog_{seed}_{cells}_{shrink}_{slower}"
-        say(f"clog {seed}, {cells} cells a neck width, shrunk by {shrink}" + (f", {slower} times slower" if slower > 1 else ""))
-        cases.row(lambda: solved(work, name, clog, cells, shrink, slower, data),
-                  seed=seed, cells=cells, shrink=shrink, slower=slower)
-    if plan.stands:
-        from .trial import try_arch
+    add_case(cases, work, data, 0, np.zeros((0, 3)), Variant(plan.empty_cells))
+    flow = solve_flow(program, work, plan.flow_cells)
+    clogs = {seed: make_clog(program, flow, work, seed) for seed, _ in plan.cases}
+    for seed, clog in clogs.items():
+        write_spheres(program, work, data, flow, clog)
+    for seed, variant in plan.cases:
+        say(f"clog {seed}, {variant}")
+        add_case(cases, work, data, seed, clogs[seed].place, variant, kept(clogs[seed], variant.start))
+    for clog in clogs.values() if plan.stands else ():
         try_arch(program, work, data, flow, clog)
 
 
-def solved(work, name, clog, cells, shrink, slower, data):
-    """Also writes the forces: data/forces/NAME.csv."""
-    places = clog.place[kept(clog)]
-    found = resolve(work, name, places, cells, shrink, slower)
-    forces = Table(data / "forces" / f"{name}.csv", ("row",))
-    for k in range(len(places)):
-        forces.row(lambda: columns("force", found.loads.force, k) | columns("meshed", found.loads.meshed, k)
-                   | columns("torque", found.loads.torque, k) | {"covered": f"{found.loads.covered[k]:.4f}"}, row=k)
-    lever = np.linalg.norm(found.loads.torque, axis=1) / (np.linalg.norm(found.loads.force, axis=1) * DIAMETER / 2)
-    return {"mesh cells": found.told["cells"], "iterations": found.told["iterations"], "seconds": found.told["seconds"],
-            "balance": f"{found.balance:.5f}", "drop [Pa]": f"{found.pressure_drop:.6g}",
-            "bed [Pa]": f"{bed_drop(places, shrink):.5g}", "ergun [Pa]": f"{bed_drop(places, shrink, True):.5g}",
-            "covered": f"{found.loads.covered.mean():.4f}", "torque": f"{np.median(lever):.4f}"}
+def write_spheres(program, work, data, flow, clog):
+    """data/clog_SEED.csv: places, and drag by each law."""
+    laws = {law: law_drag(program, flow, work, clog, law) for law in LAWS}
+    laws |= plug_drag(flow, clog.place, laws)
+    v0 = nearest_velocity(flow, clog.place)
+    inner, spheres = set(compared(clog)), Table(data / f"clog_{clog.seed}.csv", ("row",))
+    for row in kept(clog):
+        known = {"compared": int(row in inner), "contact [N]": f"{clog.contact[row]:.4g}", "passed": clog.passed,
+                 "speed [m/s]": f"{clog.speed[row]:.3g}"} | columns("place", clog.place[row]) | columns("run", clog.drag[row])
+        for law, forces in ({"V0": v0} | laws).items():
+            known |= columns(law, forces[row])
+        spheres.row(lambda: known, row=row)
+
+
+def add_case(cases, work, data, seed, places, variant, rows=()):
+    """A row of cases.csv, and data/forces/SEED_VARIANT.csv."""
+    def compute():
+        found = resolve(work, f"clog_{seed}_{variant.name}", places[list(rows)], variant)
+        told = {"mesh cells": found.told["cells"], "iterations": found.told["iterations"],
+                "seconds": found.told["seconds"], "balance": f"{found.balance:.5f}", "drop [Pa]": f"{found.pressure_drop:.6g}"}
+        told |= {"covered": 1, "lever": 0}
+        if len(rows):
+            told |= write_forces(data / "forces" / f"{seed}_{variant.name}.csv", rows, found.loads)
+        return told
+    cases.row(compute, seed=seed, cells=variant.cells, shrink=variant.shrink, slower=variant.slower, start=variant.start)
+
+
+def write_forces(file, rows, loads):
+    forces = Table(file, ("row",))
+    for k, row in enumerate(rows):
+        forces.row(lambda: columns("force", loads.force[k]) | columns("meshed", loads.meshed[k])
+                   | columns("torque", loads.torque[k]) | {"covered": f"{loads.covered[k]:.4f}"}, row=row)
+    lever = np.linalg.norm(loads.torque, axis=1) / (np.linalg.norm(loads.force, axis=1) * DIAMETER / 2)
+    return {"covered": f"{loads.covered.mean():.4f}", "lever": f"{np.median(lever):.4f}"}

@@ -82,9 +82,9 @@ def read_faces(file):
 
 
 def read_case(folder):
-    """{"spheres", "walls", "inlet", "outlet"}: faces of the newest samples."""
+    """{"walls", "inlet", "outlet"} and, if there are any, "spheres": faces of the newest samples."""
     newest = max((folder / "postProcessing" / "surfaces").iterdir(), key=lambda path: float(path.name))
-    return {name: read_faces(newest / f"{name}.vtk") for name in ("spheres", "walls", "inlet", "outlet")}
+    return {file.stem: read_faces(file) for file in newest.glob("*.vtk")}
 
 
 def directions(count):
@@ -140,5 +140,5 @@ def balance(case):
         # Pressure and momentum that enter; viscous stresses on these two planes are left out.
         given -= np.sum(faces.pressure * faces.area[:, 0])
         given -= np.sum(np.einsum("nc,nc->n", faces.velocity, faces.area) * faces.velocity[:, 0])
-    taken = sum(case[name].push[:, 0].sum() for name in ("spheres", "walls"))
+    taken = sum(case[name].push[:, 0].sum() for name in ("spheres", "walls") if name in case)
     return taken / given

@@ -1,0 +1,146 @@
+"""docs/reports/resolved_arch.md: the text of page.md.in around tables made of the CSV files, and the figure."""
+
+from pathlib import Path
+from string import Template
+
+import numpy as np
+
+from .bed import bed_drop
+from .clogs import DIAMETER
+from .compare import apart, at_no_shrinkage, at_no_size, compare
+from .figure import draw
+from .lattice import lattice_problem
+from .resolved import NECK
+from .results import read_results
+
+NAMES = {"strips": "strip law", "local": "local porosity", "superficial": "`superficial`", "beetstra": "Beetstra",
+         "plug strips": "strip law, plug flow", "plug local": "local porosity, plug flow"}
+
+
+def table(head, rows):
+    lines = ["| " + " | ".join(head) + " |", "|" + " --- |" * len(head)]
+    return "\n".join(lines + ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows])
+
+
+def lattice_table(lattices):
+    plain = [row for row in lattices if float(row["shrink"]) == 0]
+    rows = []
+    for solid in sorted({float(row["solid"]) for row in plain}):
+        mine = sorted((int(row["cells a diameter"]), float(row["K"])) for row in plain if float(row["solid"]) == solid)
+        exact = next(float(row["exact"]) for row in plain if float(row["solid"]) == solid)
+        cells = [lattice_problem(solid, n, 0).cells_per_length for n, _ in mine]
+        found = [k for _, k in mine] + ([at_no_size([k for _, k in mine], cells)] if len(mine) > 1 else [])
+        rows.append([solid, exact] + [f"{k:.2f} ({100 * (k / exact - 1):+.1f} %)" for k in found])
+    widest = max(len(row) for row in rows)
+    counts = sorted({int(row["cells a diameter"]) for row in plain})
+    head = ["solid fraction", "exact K"] + [f"about d/{n}" for n in counts] + ["cells of no size"]
+    return table(head[:widest], rows)
+
+
+def mesh_table(clog):
+    finest = clog.force()[clog.inner]
+    rows = []
+    for case in clog.cases:
+        force = case.of(clog.rows)[clog.inner]
+        rows.append([f"d/{case.cells * DIAMETER / NECK:.1f}", f"{100 * case.shrink:.0f} %", f"{case.start:g} D",
+                     f"{1 / case.slower:g}", case.row["mesh cells"], case.row["iterations"], f"{float(case.row['seconds']):.0f}",
+                     f"{1e9 * force[:, 0].sum():.0f}", f"{100 * apart(force * finest[:, 0].sum() / force[:, 0].sum(), finest):.1f} %",
+                     f"{case.drop:.1f}", case.row["balance"], f"{100 * float(case.row['covered']):.0f} %"])
+    return table(["cells", "shrunk by", "mesh begins at", "flow", "mesh cells", "iterations", "time (s)", "sum of F_x (nN)",
+                  "single forces differ, sums made equal", "pressure drop (Pa)", "balance", "surface meshed"], rows)
+
+
+def pooled(clogs, law, where):
+    return (np.vstack([clog.force()[where(clog)] for clog in clogs.values()]),
+            np.vstack([clog.laws[law][where(clog)] for clog in clogs.values()]))
+
+
+def ratio_table(clogs):
+    rows = []
+    for clog in clogs.values():
+        for name, where in (("compared", clog.inner), ("narrowing and neck", clog.near())):
+            found = [compare(clog.force()[where], clog.laws[law][where]).total for law in NAMES]
+            rows.append([clog.seed, name, int(where.sum()), f"{1e9 * clog.force()[where, 0].sum():.0f}"]
+                        + [f"{x:.2f}" for x in found])
+    for name, where in (("compared", lambda c: c.inner), ("narrowing and neck", lambda c: c.near())):
+        both = [pooled(clogs, law, where) for law in NAMES]
+        rows.append(["all", name, len(both[0][0]), f"{1e9 * both[0][0][:, 0].sum():.0f}"]
+                    + [f"{compare(*pair).total:.2f}" for pair in both])
+    return table(["clog", "spheres", "number", "resolved F_x (nN)"] + ["over " + name for name in NAMES.values()], rows)
+
+
+def place_table(clogs):
+    """Ratios by where a sphere is: along x, and from the middle."""
+    bands = (("-1.4 D to -0.87 D", -1.4, -0.866), ("-0.87 D to -0.5 D", -0.866, -0.5), ("-0.5 D to the end", -0.5, 9))
+    rows = []
+    for name, low, high in bands:
+        for side, inner, outer in (("middle, |y| < 0.6 of the half width", 0, 0.6), ("side", 0.6, 2)):
+            def where(clog):
+                from .resolved import CHANNEL
+                off = np.abs(clog.place[:, 1]) / NECK / CHANNEL.half_width(clog.x())
+                return clog.inner & (clog.x() >= low) & (clog.x() < high) & (off >= inner) & (off < outer)
+            number = sum(int(where(clog).sum()) for clog in clogs.values())
+            if not number:
+                continue
+            found = []
+            for law in NAMES:
+                force, by_law = pooled(clogs, law, where)
+                unit = by_law / np.linalg.norm(by_law, axis=1)[:, None]
+                found.append(f"{np.sum(force * unit) / np.sum(by_law * unit):.2f}")
+            rows.append([name, side, number] + found)
+    return table(["x", "across", "spheres"] + ["over " + name for name in NAMES.values()], rows)
+
+
+def scatter_table(clogs):
+    rows = []
+    for law, name in NAMES.items():
+        each = [compare(clog.force()[clog.inner], clog.laws[law][clog.inner]) for clog in clogs.values()]
+        all_of = compare(*pooled(clogs, law, lambda clog: clog.inner))
+        rows.append([name, f"{all_of.ratio:.2f}", f"{all_of.along:.2f}", f"{all_of.across:.2f}", f"{all_of.strength:.2f}",
+                     f"{min(c.strength for c in each):.2f} to {max(c.strength for c in each):.2f}", f"{all_of.size:.2f}",
+                     f"{np.degrees(all_of.angle):.0f}"])
+    return table(["law", "factor of least squares", "along", "across, each", "strength", "clog by clog", "|F| over the law's: spread over mean",
+                  "median angle (deg)"], rows)
+
+
+def drop_table(clogs, empty):
+    rows = []
+    for clog in clogs.values():
+        rows.append([clog.seed, f"{clog.drop():.0f}", f"{clog.drop_of(clog.force(), empty):.0f}"]
+                    + [f"{clog.drop_of(clog.laws[law], empty):.0f}" for law in ("strips", "local")]
+                    + [f"{bed_drop(clog.place, form):.0f}" for form in ("carman", "walls", "ergun")])
+    return table(["clog", "resolved (Pa)", "by its forces on spheres", "by the strip law's", "by the local law's", "Carman-Kozeny",
+                  "with the channel's walls", "Ergun"], rows)
+
+
+def stand_table(stands):
+    names = list(dict.fromkeys(row["forces"] for row in stands))
+    seeds = list(dict.fromkeys(row["seed"] for row in stands))
+    cell = {(row["seed"], row["forces"]): f"{row['moved']} of {row['watched']} moved, {row['passed']} passed" for row in stands}
+    return table(["forces"] + [f"clog {seed}" for seed in seeds],
+                 [[name] + [cell.get((seed, name), "") for seed in seeds] for name in names])
+
+
+def shrink_table(clogs):
+    rows = []
+    for clog in clogs.values():
+        cases = sorted((c for c in clog.cases if c.cells == 26 and c.slower == 1 and c.start == -2), key=lambda c: c.shrink)
+        if len(cases) < 3:
+            continue
+        force, drop = ([value(c) for c in cases] for value in (lambda c: 1e9 * c.of(clog.rows)[clog.inner, 0].sum(), lambda c: c.drop))
+        shares = [c.shrink for c in cases[1:]]
+        rows.append([clog.seed] + [f"{f:.0f}" for f in force] + [f"{at_no_shrinkage(force[1:], shares):.0f}"]
+                    + [f"{d:.0f}" for d in drop] + [f"{at_no_shrinkage(drop[1:], shares):.0f}"])
+    return table(["clog", "F_x (nN), not shrunk", "1 %", "2 %", "line through both, at 0", "drop (Pa), not shrunk", "1 %", "2 %",
+                  "line, at 0"], rows)
+
+
+def write_page(data, page):
+    clogs, lattices, stands, empty = read_results(data)
+    draw({seed: (clog.x()[clog.inner], clog.force()[clog.inner], clog.laws["strips"][clog.inner])
+          for seed, clog in clogs.items()}, data / "forces.png")
+    text = Template((Path(__file__).parent / "page.md.in").read_text())
+    page.write_text(text.substitute(
+        lattices=lattice_table(lattices), meshes=mesh_table(clogs[1]), shrinkage=shrink_table(clogs), ratios=ratio_table(clogs),
+        places=place_table(clogs), scatter=scatter_table(clogs), drops=drop_table(clogs, empty), stands=stand_table(stands),
+        clogs=len(clogs), spheres=sum(int(clog.inner.sum()) for clog in clogs.values()), empty=f"{empty:.0f}"))
