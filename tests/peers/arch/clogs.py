@@ -66,12 +66,14 @@ class Clog:
     last_passage: float
 
 
-def read_clog(file, seed):
+def read_clog(file, seed, which=-1):
+    """which: of the snapshots"""
     import h5py
     with h5py.File(file) as run:
-        begin, links = run["snapshots/first"][-1], run["contacts/first"][-1]
-        ids, place, velocity, force = (run[f"snapshots/{name}"][begin:] for name in ("id", "position", "velocity", "force"))
-        a, b, normal, push = (run[f"contacts/{name}"][links:] for name in ("a", "b", "normal", "force"))
+        rows, links = (slice(*np.append(run[f"{name}/first"][:], len(run[last]))[[which - (which < 0), which + (which >= 0)]])
+                       for name, last in (("snapshots", "snapshots/id"), ("contacts", "contacts/a")))
+        ids, place, velocity, force = (run[f"snapshots/{name}"][rows] for name in ("id", "position", "velocity", "force"))
+        a, b, normal, push = (run[f"contacts/{name}"][links] for name in ("a", "b", "normal", "force"))
         passages = run["passages/time"][:]
     row = {number: k for k, number in enumerate(ids)}
     drag, load = force.copy(), np.zeros(len(ids))
@@ -95,31 +97,20 @@ def make_clog(program, flow, folder, seed):
     return read_clog(file, seed)
 
 
+def write_start(folder, clog):
+    """A file for particles.initial, in the clog's order."""
+    file = folder / "start.csv"
+    file.write_text("x,y,z\n" + "".join(",".join(f"{c:.17g}" for c in p) + "\n" for p in clog.place))
+    return file
+
+
 def law_drag(program, flow, folder, clog, law):
     """[n, 3] drag of the clog's spheres at rest, as the program computes it at these places under another law [N]."""
     out = folder / f"law_{clog.seed}_{law.replace(' ', '_')}"
-    out.mkdir(parents=True, exist_ok=True)
-    start = out / "start.csv"
-    start.write_text("x,y,z\n" + "".join(",".join(f"{c:.17g}" for c in p) + "\n" for p in clog.place))
     file = out / "run_0001.h5"
     if not file.exists():
-        once = {"particles.initial": start, "inlet.enabled": "false", "time.end": "20 us", "output.snapshot_interval": "1 us",
-                "inlet.start": "empty"}
+        out.mkdir(parents=True, exist_ok=True)
+        once = {"particles.initial": write_start(out, clog), "inlet.enabled": "false", "inlet.start": "empty",
+                "time.end": "20 us", "output.snapshot_interval": "1 us"}
         call([program, "run", SCENE, "--flow", flow, "--seeds", 1, "--out", out, *settings(CLOG | once | LAWS[law])])
-    return first_drag(file, clog.place)
-
-
-def first_drag(file, places):
-    import h5py
-    with h5py.File(file) as run:
-        rows = slice(0, len(places))
-        ids, place, force = (run[f"snapshots/{name}"][rows] for name in ("id", "position", "force"))
-        links = slice(0, run["contacts/first"][1])
-        a, b, push = (run[f"contacts/{name}"][links] for name in ("a", "b", "force"))
-    row = {number: k for k, number in enumerate(ids)}
-    for one, other, f in zip(a, b, push.astype(float)):
-        force[row[one]] -= f
-        if other >= 0:
-            force[row[other]] += f
-    nearest = np.argmin(np.linalg.norm(places[:, None] - place[None], axis=2), axis=1)
-    return force[nearest]
+    return read_clog(file, clog.seed, 0).drag

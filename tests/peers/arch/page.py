@@ -45,9 +45,11 @@ def mesh_table(clog):
         rows.append([f"d/{case.cells * DIAMETER / NECK:.1f}", f"{100 * case.shrink:.0f} %", f"{case.start:g} D",
                      f"{1 / case.slower:g}", case.row["mesh cells"], case.row["iterations"], f"{float(case.row['seconds']):.0f}",
                      f"{1e9 * force[:, 0].sum():.0f}", f"{100 * apart(force * finest[:, 0].sum() / force[:, 0].sum(), finest):.1f} %",
+                     *(f"{compare(force, clog.laws[law][clog.inner]).strength:.3f}" for law in ("strips", "plug strips")),
                      f"{case.drop:.1f}", case.row["balance"], f"{100 * float(case.row['covered']):.0f} %"])
     return table(["cells", "shrunk by", "mesh begins at", "flow", "mesh cells", "iterations", "time (s)", "sum of F_x (nN)",
-                  "single forces differ, sums made equal", "pressure drop (Pa)", "balance", "surface meshed"], rows)
+                  "single forces differ, sums made equal", "scatter about the strip law",
+                  "about it in plug flow", "pressure drop (Pa)", "balance", "surface meshed"], rows)
 
 
 def pooled(clogs, law, where):
@@ -74,11 +76,11 @@ def place_table(clogs):
     bands = (("-1.4 D to -0.87 D", -1.4, -0.866), ("-0.87 D to -0.5 D", -0.866, -0.5), ("-0.5 D to the end", -0.5, 9))
     rows = []
     for name, low, high in bands:
-        for side, inner, outer in (("middle, |y| < 0.6 of the half width", 0, 0.6), ("side", 0.6, 2)):
+        for side, inner, outer in (("middle, y below 0.6 of the half width", 0, 0.6), ("side", 0.6, 2)):
             def where(clog):
-                from .resolved import CHANNEL
-                off = np.abs(clog.place[:, 1]) / NECK / CHANNEL.half_width(clog.x())
-                return clog.inner & (clog.x() >= low) & (clog.x() < high) & (off >= inner) & (off < outer)
+                return (clog.inner & (clog.x() >= low) & (clog.x() < high) & (clog.across() >= inner)
+                        & (clog.across() < outer))
+
             number = sum(int(where(clog).sum()) for clog in clogs.values())
             if not number:
                 continue
@@ -99,7 +101,7 @@ def scatter_table(clogs):
         rows.append([name, f"{all_of.ratio:.2f}", f"{all_of.along:.2f}", f"{all_of.across:.2f}", f"{all_of.strength:.2f}",
                      f"{min(c.strength for c in each):.2f} to {max(c.strength for c in each):.2f}", f"{all_of.size:.2f}",
                      f"{np.degrees(all_of.angle):.0f}"])
-    return table(["law", "factor of least squares", "along", "across, each", "strength", "clog by clog", "|F| over the law's: spread over mean",
+    return table(["law", "factor of least squares", "along", "across, each", "strength", "clog by clog", "sizes over the law's: spread over mean",
                   "median angle (deg)"], rows)
 
 
@@ -135,10 +137,9 @@ def shrink_table(clogs):
                   "line, at 0"], rows)
 
 
-def write_page(data, page):
+def write_page(data, page, picture=None):
     clogs, lattices, stands, empty = read_results(data)
-    draw({seed: (clog.x()[clog.inner], clog.force()[clog.inner], clog.laws["strips"][clog.inner])
-          for seed, clog in clogs.items()}, data / "forces.png")
+    draw(clogs, {seed: clog.across() for seed, clog in clogs.items()}, picture or data / "forces.png")
     text = Template((Path(__file__).parent / "page.md.in").read_text())
     page.write_text(text.substitute(
         lattices=lattice_table(lattices), meshes=mesh_table(clogs[1]), shrinkage=shrink_table(clogs), ratios=ratio_table(clogs),

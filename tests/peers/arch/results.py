@@ -65,6 +65,10 @@ class ClogResults:
     def x(self):
         return self.place[:, 0] / NECK
 
+    def across(self):
+        """|y| over the half width there"""
+        return np.abs(self.place[:, 1]) / NECK / CHANNEL.half_width(self.x())
+
     def near(self):
         """Compared spheres of narrowing and neck."""
         return self.inner & (self.x() > -CHANNEL.narrowing)

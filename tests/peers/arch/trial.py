@@ -22,8 +22,8 @@ def variants(clog, inner, resolved):
 
     only = clog.drag.copy()
     only[inner] = resolved
-    return {"law": clog.drag, "law scaled": around(0, ratio), "resolved": around(1, ratio), "resolved, law elsewhere": only,
-            "scatter doubled": around(2, ratio), "scatter times 4": around(4, ratio)}
+    return {"law": clog.drag, "law scaled": around(0, ratio), "resolved": around(1, ratio), "resolved beside law": only,
+            **{f"scatter times {factor}": around(factor, ratio) for factor in (2, 4, 8)}}
 
 
 def try_arch(program, work, data, flow, clog):
@@ -35,7 +35,7 @@ def try_arch(program, work, data, flow, clog):
         print(f"clog {clog.seed} under the forces: {name}", flush=True)
 
         def compute():
-            found = go_on(program, flow, work, clog, wanted, watched, name.replace(" ", "_").replace(",", ""))
+            found = go_on(program, flow, work / f"stand_{clog.seed}_{name}".replace(" ", "_"), clog, wanted, watched)
             return {"watched": len(watched), "passed": found.passed, "moved": found.moved, "way [d]": f"{found.way:.3g}",
                     "speed [m/s]": f"{found.speed:.3g}"}
         outcomes.row(compute, seed=clog.seed, forces=name)
