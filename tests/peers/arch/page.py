@@ -10,11 +10,14 @@ from .clogs import DIAMETER
 from .compare import apart, at_no_shrinkage, at_no_size, compare
 from .figure import draw
 from .lattice import lattice_problem
+from .numbers import pooled, projected, quoted
 from .resolved import NECK
 from .results import read_results
 
 NAMES = {"strips": "strip law", "local": "local porosity", "superficial": "`superficial`", "beetstra": "Beetstra",
          "plug strips": "strip law, plug flow", "plug local": "local porosity, plug flow"}
+
+VELOCITIES = {law: name for law, name in NAMES.items() if law not in ("superficial", "beetstra")}
 
 
 def table(head, rows):
@@ -52,11 +55,6 @@ def mesh_table(clog):
                   "about it in plug flow", "pressure drop (Pa)", "balance", "surface meshed"], rows)
 
 
-def pooled(clogs, law, where):
-    return (np.vstack([clog.force()[where(clog)] for clog in clogs.values()]),
-            np.vstack([clog.laws[law][where(clog)] for clog in clogs.values()]))
-
-
 def ratio_table(clogs):
     rows = []
     for clog in clogs.values():
@@ -84,18 +82,14 @@ def place_table(clogs):
             number = sum(int(where(clog).sum()) for clog in clogs.values())
             if not number:
                 continue
-            found = []
-            for law in NAMES:
-                force, by_law = pooled(clogs, law, where)
-                unit = by_law / np.linalg.norm(by_law, axis=1)[:, None]
-                found.append(f"{np.sum(force * unit) / np.sum(by_law * unit):.2f}")
+            found = [f"{projected(clogs, law, where):.2f}" for law in VELOCITIES]
             rows.append([name, side, number] + found)
-    return table(["x", "across", "spheres"] + ["over " + name for name in NAMES.values()], rows)
+    return table(["x", "across", "spheres"] + ["over " + name for name in VELOCITIES.values()], rows)
 
 
 def scatter_table(clogs):
     rows = []
-    for law, name in NAMES.items():
+    for law, name in VELOCITIES.items():
         each = [compare(clog.force()[clog.inner], clog.laws[law][clog.inner]) for clog in clogs.values()]
         all_of = compare(*pooled(clogs, law, lambda clog: clog.inner))
         rows.append([name, f"{all_of.ratio:.2f}", f"{all_of.along:.2f}", f"{all_of.across:.2f}", f"{all_of.strength:.2f}",
@@ -142,6 +136,8 @@ def write_page(data, page, picture=None):
     draw(clogs, {seed: clog.across() for seed, clog in clogs.items()}, picture or data / "forces.png")
     text = Template((Path(__file__).parent / "page.md.in").read_text())
     page.write_text(text.substitute(
+        quoted(clogs, empty),
         lattices=lattice_table(lattices), meshes=mesh_table(clogs[1]), shrinkage=shrink_table(clogs), ratios=ratio_table(clogs),
         places=place_table(clogs), scatter=scatter_table(clogs), drops=drop_table(clogs, empty), stands=stand_table(stands),
-        clogs=len(clogs), spheres=sum(int(clog.inner.sum()) for clog in clogs.values()), empty=f"{empty:.0f}"))
+        clogs=len(clogs), spheres=sum(int(clog.inner.sum()) for clog in clogs.values()), empty=f"{empty:.0f}",
+        lever=max(clogs[1].plain(), key=lambda case: case.cells).row["lever"]))
