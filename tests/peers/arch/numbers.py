@@ -3,7 +3,7 @@
 import numpy as np
 
 from .bed import bed_drop
-from .compare import compare
+from .compare import at_no_shrinkage, compare
 
 
 def pooled(clogs, law, where):
@@ -33,7 +33,13 @@ def quoted(clogs, empty):
     def over_bed(form):
         return span([(clog.drop() - (0 if form == "walls" else empty)) / bed_drop(clog.place, form) for clog in clogs.values()])
 
+    def shrink_off(clog):
+        cases = sorted(clog.shrunk(), key=lambda case: case.shrink)
+        sums = [case.of(clog.rows)[clog.inner, 0].sum() for case in cases]
+        return 100 * abs(at_no_shrinkage(sums[1:], [case.shrink for case in cases[1:]]) / sums[0] - 1)
+
     return {
+        "shrink_off": f"{max(shrink_off(clog) for clog in clogs.values() if len(clog.shrunk()) > 2):.1f}",
         "total": f"{total(lambda clog: clog.inner):.2f}", "near": f"{total(lambda clog: clog.near()):.2f}",
         "total_span": span([compare(clog.force()[clog.inner], clog.laws["strips"][clog.inner]).total for clog in clogs.values()]),
         "middle": f"{projected(clogs, 'strips', lambda c: c.inner & (c.x() > -0.5) & (c.across() < 0.6)):.2f}",

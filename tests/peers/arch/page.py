@@ -7,12 +7,11 @@ import numpy as np
 
 from .bed import bed_drop
 from .clogs import DIAMETER
-from .compare import apart, at_no_shrinkage, at_no_size, compare
+from .compare import apart, at_no_shrinkage, compare
 from .figure import draw
-from .lattice import lattice_problem
 from .numbers import pooled, projected, quoted
 from .resolved import NECK
-from .results import read_results
+from .results import read_lattices, read_results
 
 NAMES = {"strips": "strip law", "local": "local porosity", "superficial": "`superficial`", "beetstra": "Beetstra",
          "plug strips": "strip law, plug flow", "plug local": "local porosity, plug flow"}
@@ -26,33 +25,33 @@ def table(head, rows):
 
 
 def lattice_table(lattices):
-    plain = [row for row in lattices if float(row["shrink"]) == 0]
+    counts = sorted({count for lattice in lattices for count in lattice.counts})
     rows = []
-    for solid in sorted({float(row["solid"]) for row in plain}):
-        mine = sorted((int(row["cells a diameter"]), float(row["K"])) for row in plain if float(row["solid"]) == solid)
-        exact = next(float(row["exact"]) for row in plain if float(row["solid"]) == solid)
-        cells = [lattice_problem(solid, n, 0).cells_per_length for n, _ in mine]
-        found = [k for _, k in mine] + ([at_no_size([k for _, k in mine], cells)] if len(mine) > 1 else [])
-        rows.append([solid, exact] + [f"{k:.2f} ({100 * (k / exact - 1):+.1f} %)" for k in found])
-    widest = max(len(row) for row in rows)
-    counts = sorted({int(row["cells a diameter"]) for row in plain})
-    head = ["solid fraction", "exact K"] + [f"about d/{n}" for n in counts] + ["cells of no size"]
-    return table(head[:widest], rows)
+    for lattice in lattices:
+        by_count = dict(zip(lattice.counts, lattice.found)) | {"limit": lattice.limit}
+        rows.append([lattice.solid, lattice.exact]
+                    + [f"{by_count[n]:.2f} ({100 * (by_count[n] / lattice.exact - 1):+.1f} %)" if n in by_count else ""
+                       for n in (*counts, "limit")])
+    return table(["solid fraction", "exact K"] + [f"about d/{n}" for n in counts] + ["cells of no size"], rows)
 
 
 def mesh_table(clog):
-    finest = clog.force()[clog.inner]
+    """Meshes are held against cells of no size, what else was varied against the same mesh without."""
+    plain = {case.cells: case.of(clog.rows)[clog.inner] for case in clog.plain()}
+    limit = clog.force()[clog.inner]
     rows = []
     for case in clog.cases:
         force = case.of(clog.rows)[clog.inner]
+        other = limit if case in clog.plain() else plain[case.cells]
+        share = force[:, 0].sum() / other[:, 0].sum()
         rows.append([f"d/{case.cells * DIAMETER / NECK:.1f}", f"{100 * case.shrink:.0f} %", f"{case.start:g} D",
-                     f"{1 / case.slower:g}", case.row["mesh cells"], case.row["iterations"], f"{float(case.row['seconds']):.0f}",
-                     f"{1e9 * force[:, 0].sum():.0f}", f"{100 * apart(force * finest[:, 0].sum() / force[:, 0].sum(), finest):.1f} %",
-                     *(f"{compare(force, clog.laws[law][clog.inner]).strength:.3f}" for law in ("strips", "plug strips")),
+                     f"{1 / case.slower:g}", case.row["mesh cells"], case.row["iterations"],
+                     f"{1e9 * force[:, 0].sum():.0f}", f"{share:.3f}", f"{100 * apart(force / share, other):.1f} %",
+                     *(f"{compare(force, clog.laws[law][clog.inner]).strength:.3f}" for law in ("strips", "plug local")),
                      f"{case.drop:.1f}", case.row["balance"], f"{100 * float(case.row['covered']):.0f} %"])
-    return table(["cells", "shrunk by", "mesh begins at", "flow", "mesh cells", "iterations", "time (s)", "sum of F_x (nN)",
-                  "single forces differ, sums made equal", "scatter about the strip law",
-                  "about it in plug flow", "pressure drop (Pa)", "balance", "surface meshed"], rows)
+    return table(["cells", "shrunk by", "mesh begins at", "flow", "mesh cells", "iterations", "sum of F_x (nN)", "sum over reference",
+                  "single forces, sums made equal, differ from it by", "scatter about the strip law",
+                  "about local porosity in plug flow", "pressure drop (Pa)", "balance", "surface meshed"], rows)
 
 
 def ratio_table(clogs):
@@ -120,7 +119,7 @@ def stand_table(stands):
 def shrink_table(clogs):
     rows = []
     for clog in clogs.values():
-        cases = sorted((c for c in clog.cases if c.cells == 26 and c.slower == 1 and c.start == -2), key=lambda c: c.shrink)
+        cases = sorted(clog.shrunk(), key=lambda case: case.shrink)
         if len(cases) < 3:
             continue
         force, drop = ([value(c) for c in cases] for value in (lambda c: 1e9 * c.of(clog.rows)[clog.inner, 0].sum(), lambda c: c.drop))
@@ -132,12 +131,15 @@ def shrink_table(clogs):
 
 
 def write_page(data, page, picture=None):
-    clogs, lattices, stands, empty = read_results(data)
+    clogs, stands, empty = read_results(data)
+    # Those of one mesh are not extrapolated, so they are not compared.
+    clogs = {seed: clog for seed, clog in clogs.items() if len(clog.plain()) > 1}
+    stands = [row for row in stands if int(row["seed"]) in clogs]
     draw(clogs, {seed: clog.across() for seed, clog in clogs.items()}, picture or data / "forces.png")
     text = Template((Path(__file__).parent / "page.md.in").read_text())
     page.write_text(text.substitute(
         quoted(clogs, empty),
-        lattices=lattice_table(lattices), meshes=mesh_table(clogs[1]), shrinkage=shrink_table(clogs), ratios=ratio_table(clogs),
+        lattices=lattice_table(read_lattices(data)), meshes=mesh_table(clogs[1]), shrinkage=shrink_table(clogs), ratios=ratio_table(clogs),
         places=place_table(clogs), scatter=scatter_table(clogs), drops=drop_table(clogs, empty), stands=stand_table(stands),
         clogs=len(clogs), spheres=sum(int(clog.inner.sum()) for clog in clogs.values()), empty=f"{empty:.0f}",
         lever=max(clogs[1].plain(), key=lambda case: case.cells).row["lever"]))

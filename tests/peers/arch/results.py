@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from .compare import at_no_size
+from .lattice import lattice_problem
 from .resolved import CHANNEL, NECK, RATE
 from .tables import read
 
@@ -52,6 +53,11 @@ class ClogResults:
         found = [c for c in self.cases if c.shrink == 0 and c.slower == 1 and c.start == CHANNEL.start]
         return sorted(found, key=lambda c: c.cells)
 
+    def shrunk(self):
+        """Cases of one coarse mesh, shrunk or not."""
+        fewest = self.plain()[0].cells
+        return [c for c in self.cases if c.cells == fewest and c.slower == 1 and c.start == CHANNEL.start]
+
     def force(self):
         """[n, 3] at cells of no size, of one mesh as it is."""
         plain = self.plain()
@@ -78,8 +84,30 @@ class ClogResults:
         return empty + float(np.sum(forces * self.v0) / RATE)
 
 
+@dataclass(frozen=True)
+class Lattice:
+    solid: float
+    exact: float
+    counts: list  # about so many cells a diameter
+    found: list  # K of each
+
+    @property
+    def limit(self):
+        """K at cells of no size"""
+        cells = [lattice_problem(self.solid, count, 0).cells_per_length for count in self.counts]
+        return at_no_size(self.found, cells) if len(cells) > 1 else self.found[0]
+
+
+def read_lattices(data):
+    """Of unshrunk spheres, by solid fraction."""
+    rows = sorted((float(row["solid"]), int(row["cells a diameter"]), float(row["K"]), float(row["exact"]))
+                  for row in read(data / "lattice.csv") if float(row["shrink"]) == 0)
+    return [Lattice(solid, next(r[3] for r in rows if r[0] == solid), *map(list, zip(*[r[1:3] for r in rows if r[0] == solid])))
+            for solid in dict.fromkeys(row[0] for row in rows)]
+
+
 def read_results(data):
-    """Clogs by seed, rows of lattice.csv, rows of stand.csv, the empty channel's pressure drop [Pa]."""
+    """Clogs by seed, rows of stand.csv, the empty channel's pressure drop [Pa]."""
     clogs, empty = {}, 0.0
     for row in read(data / "cases.csv"):
         seed = int(row["seed"])
@@ -96,4 +124,4 @@ def read_results(data):
         forces = read(data / "forces" / f"{name}.csv")
         clogs[seed].cases.append(Case(int(row["cells"]), float(row["shrink"]), float(row["slower"]), float(row["start"]), row,
                                       np.array([int(r["row"]) for r in forces]), vectors(forces, "force")))
-    return clogs, read(data / "lattice.csv"), read(data / "stand.csv"), empty
+    return clogs, read(data / "stand.csv"), empty

@@ -21,8 +21,8 @@ class Plan:
     stands: bool  # whether the arches are tried
 
 
-COARSE = Plan(flow_cells=24, lattices=((0.216, 12, 0.0), (0.5236, 12, 0.0)), cases=((1, Variant(20)),), empty_cells=16,
-              stands=False)
+COARSE = Plan(flow_cells=24, cases=((1, Variant(20)),), empty_cells=16, stands=True,
+              lattices=((0.216, 12, 0.0), (0.216, 18, 0.0), (0.5236, 12, 0.0), (0.5236, 18, 0.0)))
 SEEDS = 1, 2, 3, 4, 5
 FULL = Plan(
     flow_cells=48,
