@@ -9,7 +9,7 @@ from .bed import bed_drop
 from .clogs import DIAMETER
 from .compare import apart, at_no_shrinkage, compare
 from .figure import draw
-from .numbers import pooled, projected, quoted
+from .quoted import pooled, projected, quoted
 from .resolved import NECK
 from .results import read_lattices, read_results
 
@@ -28,11 +28,12 @@ def lattice_table(lattices):
     counts = sorted({count for lattice in lattices for count in lattice.counts})
     rows = []
     for lattice in lattices:
-        by_count = dict(zip(lattice.counts, lattice.found)) | {"limit": lattice.limit}
+        by_count = dict(zip(lattice.counts, lattice.found)) | {"two": lattice.limit(2), "limit": lattice.limit()}
         rows.append([lattice.solid, lattice.exact]
                     + [f"{by_count[n]:.2f} ({100 * (by_count[n] / lattice.exact - 1):+.1f} %)" if n in by_count else ""
-                       for n in (*counts, "limit")])
-    return table(["solid fraction", "exact K"] + [f"about d/{n}" for n in counts] + ["cells of no size"], rows)
+                       for n in (*counts, "two", "limit")])
+    return table(["solid fraction", "exact K"] + [f"about d/{n}" for n in counts]
+                 + ["no size, from the first two", "no size, from the finest two"], rows)
 
 
 def mesh_table(clog):

@@ -44,6 +44,7 @@ class ClogResults:
     inner: np.ndarray  # which are compared
     laws: dict  # name to [n, 3] [N]
     run: np.ndarray  # [n, 3] drag in the run itself
+    mixture: np.ndarray  # [n, 3] by drag.velocity = "mixture"
     v0: np.ndarray  # [n, 3] [m/s]
     passed: int
     cases: list = field(default_factory=list)
@@ -91,11 +92,11 @@ class Lattice:
     counts: list  # about so many cells a diameter
     found: list  # K of each
 
-    @property
-    def limit(self):
-        """K at cells of no size"""
-        cells = [lattice_problem(self.solid, count, 0).cells_per_length for count in self.counts]
-        return at_no_size(self.found, cells) if len(cells) > 1 else self.found[0]
+    def limit(self, meshes=None):
+        """K at cells of no size, from so many of the coarsest meshes, all of them otherwise"""
+        counts, found = self.counts[:meshes], self.found[:meshes]
+        cells = [lattice_problem(self.solid, count, 0).cells_per_length for count in counts]
+        return at_no_size(found, cells) if len(cells) > 1 else found[0]
 
 
 def read_lattices(data):
@@ -119,7 +120,7 @@ def read_results(data):
             clogs[seed] = ClogResults(
                 seed, np.array([int(r["row"]) for r in table]), vectors(table, "place"),
                 np.array([r["compared"] == "1" for r in table]), {law: vectors(table, law) for law in LAWS},
-                vectors(table, "run"), vectors(table, "V0"), int(table[0]["passed"]))
+                vectors(table, "run"), vectors(table, "mixture"), vectors(table, "V0"), int(table[0]["passed"]))
         name = "_".join(row[key] for key in ("seed", "cells", "shrink", "slower", "start"))
         forces = read(data / "forces" / f"{name}.csv")
         clogs[seed].cases.append(Case(int(row["cells"]), float(row["shrink"]), float(row["slower"]), float(row["start"]), row,

@@ -23,15 +23,13 @@ class Plan:
 
 COARSE = Plan(flow_cells=24, cases=((1, Variant(20)),), empty_cells=16, stands=True,
               lattices=((0.216, 12, 0.0), (0.216, 18, 0.0), (0.5236, 12, 0.0), (0.5236, 18, 0.0)))
-SEEDS = 1, 2, 3, 4, 5
+SEEDS = 1, 2, 3, 4
 FULL = Plan(
     flow_cells=48,
     lattices=tuple((solid, cells, 0.0) for solid in (0.216, 0.343, 0.45, 0.5236) for cells in (12, 18, 24))
     + tuple((0.5236, 18, shrink) for shrink in (0.01, 0.02)),
-    cases=tuple((seed, Variant(26)) for seed in SEEDS) + tuple((seed, Variant(38)) for seed in SEEDS[:3])
-    + ((1, Variant(26, 0.01)), (1, Variant(26, 0.02)), (1, Variant(26, slower=100)), (1, Variant(26, start=-2.5)))
-    + tuple((seed, Variant(38)) for seed in SEEDS[3:]) + ((1, Variant(50)),)
-    + tuple((seed, Variant(26, shrink)) for seed in (2, 3) for shrink in (0.01, 0.02)),
+    cases=tuple((seed, Variant(cells)) for cells in (26, 38) for seed in SEEDS)
+    + ((1, Variant(26, 0.01)), (1, Variant(26, 0.02)), (1, Variant(26, slower=100)), (1, Variant(26, start=-2.5))),
     empty_cells=20, stands=True)
 
 

@@ -12,7 +12,7 @@ def faults(data):
     """Lines; none when all is well."""
     lines = []
     for found in read_lattices(data):
-        off = found.limit / found.exact - 1
+        off = found.limit() / found.exact - 1
         if abs(off) > LATTICE:
             lines.append(f"lattice {found.solid}: K is off by {off:+.3f} (limit {LATTICE})")
     for row in read(data / "cases.csv"):
