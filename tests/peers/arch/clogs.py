@@ -30,12 +30,11 @@ def settings(values):
     return [word for key, value in values.items() for word in ("--set", f"{key}={value}")]
 
 
-def solve_flow(program, folder, cells):
+def solve_flow(program, folder):
     """folder/flow.h5, unless it is there."""
     flow = folder / "flow.h5"
     if not flow.exists():
-        coarse = settings({"flow.mesh_cells_per_neck": cells, "ensemble.sweep": "[]"})
-        call([program, "case", SCENE, folder / "flow", *coarse])
+        call([program, "case", SCENE, folder / "flow", *settings({"ensemble.sweep": "[]"})])
         call([folder / "flow" / "Allrun", ""])
         call([program, "map", folder / "flow", "--out", flow])
     return flow
