@@ -9,8 +9,9 @@ import numpy as np
 SCENE = Path(__file__).resolve().parents[3] / "scenes" / "campaign.toml"
 DIAMETER = 47e-6
 END = 0.2  # [s] 21 Stokes times
-CLOG = {"particles.diameter": f"{DIAMETER} m", "inlet.start": "flowing", "unclog.protocol": "none",
-        "time.end": f"{END} s", "output.snapshot_interval": "5 ms", "output.contacts": "true", "ensemble.sweep": "[]"}
+SHAPE = {"geometry.channel_length": "1 mm", "ensemble.sweep": "[]"}
+CLOG = SHAPE | {"particles.diameter": f"{DIAMETER} m", "inlet.start": "flowing", "unclog.protocol": "none",
+                "time.end": f"{END} s", "output.snapshot_interval": "5 ms", "output.contacts": "true"}
 LAWS = {  # of the drag, in words of a scene; at rest "mixture" is the paper's
     "strips": {},
     "mixture": {"drag.velocity": "mixture"},
@@ -34,7 +35,7 @@ def solve_flow(program, folder):
     """folder/flow.h5, unless it is there."""
     flow = folder / "flow.h5"
     if not flow.exists():
-        call([program, "case", SCENE, folder / "flow", *settings({"ensemble.sweep": "[]"})])
+        call([program, "case", SCENE, folder / "flow", *settings(SHAPE)])
         call([folder / "flow" / "Allrun", ""])
         call([program, "map", folder / "flow", "--out", flow])
     return flow
