@@ -18,6 +18,19 @@ RESTITUTION, WALL_RESTITUTION = 0.5, 0.4
 FRICTION, WALL_FRICTION = 0.3, 0.2
 STIFFER = 210  # steel over the particles' 1 GPa
 PLATE = 2e-3  # length of the orifice; what is half through it has left
+STEP = 0.04  # of the contact time
+OURS = "clogflow"
+
+
+def contact_time(modulus, speed=1.0):
+    """Hertz: 2.87 (m*^2 / (R* E*^2 v))^(1/5)."""
+    mass, radius, stiffness = DENSITY * np.pi / 12 * DIAMETER**3, DIAMETER / 4, modulus / (2 * (1 - NU**2))
+    return 2.87 * (mass**2 / (radius * stiffness**2 * speed)) ** 0.2
+
+
+def beverloo(orifice, packing):
+    """Spheres a second: 0.58 rho_b sqrt(g) (D - 1.4 d)^(5/2) over the mass of one."""
+    return 0.58 * packing * np.sqrt(G) * (2 * orifice - 1.4 * DIAMETER) ** 2.5 / (np.pi / 6 * DIAMETER**3)
 
 
 @dataclass
@@ -70,10 +83,11 @@ def run(words, folder):
 
 
 class Clog:
-    name = "clogflow"
-
-    def __init__(self, program):
-        self.program = program
+    def __init__(self, program, name=OURS, **changes):
+        """\param changes  for controls: moved, all places along x [m]; friction, wall_friction"""
+        self.program, self.name = program, name
+        self.moved = changes.get("moved", 0.0)
+        self.friction, self.wall_friction = changes.get("friction", FRICTION), changes.get("wall_friction", WALL_FRICTION)
 
     def scene(self, case, more):
         return f"""gravity = ["{G} m/s2", "0 m/s2", "0 m/s2"]
@@ -92,8 +106,8 @@ tangential_factor = 1
 tangential_damping = 0
 wall_youngs_modulus = "{STIFFER * case.modulus} Pa"
 wall_restitution = {our_restitution(WALL_RESTITUTION)!r}
-friction.sliding = {FRICTION}
-wall_friction.sliding = {WALL_FRICTION}
+friction.sliding = {self.friction}
+wall_friction.sliding = {self.wall_friction}
 [time]
 step = "{case.step} s"
 {more}"""
@@ -113,28 +127,31 @@ step = "{case.step} s"
 
     def write(self, case, folder, places):
         write_stl(folder / "silo.stl", case.walls(), 1)
+        places = places + [self.moved, 0, 0]
         rows = ["x,y,z"] + [",".join(map(repr, place)) for place in places.tolist()]
         (folder / "pack.csv").write_text("\n".join(rows) + "\n")
         text = self.scene(case, f'end = "{case.end} s"\n[output]\nseries_interval = "{case.end / 10} s"\n')
         (folder / "silo.toml").write_text(text.replace("[contact]", 'initial = "pack.csv"\n[contact]'))
 
     def left(self, case, folder):
-        """\\return times, numbers left"""
+        """\\return numbers left at the end of each frame"""
         import h5py
         run([self.program, "run", "silo.toml", "--out", "out"], folder)
         with h5py.File(folder / "out" / "run_0001.h5") as file:
             passed = np.sort(file["passages/time"][:])
-        times = np.arange(1, case.frames + 1) * case.frame * case.step
-        return times, case.spheres - np.searchsorted(passed, times)
+        return case.spheres - np.searchsorted(passed, np.arange(1, case.frames + 1) * case.frame * case.step)
 
 
 class Peer:
-    def __init__(self, program):
-        self.program = program
+    def __init__(self, program, falling=False, plate=False):
+        """\param falling  whether spheres fall on below the orifice; else they are taken out where the plate ends, as ours are
+        \param plate    whether the orifice has its length; then both peers count its edge twice, see silo_edge.py"""
+        self.program, self.falling, self.plate = program, falling, plate
+        self.name = self.called + ", falling on" * falling + ", with plate" * plate
 
     def data_file(self, case, places):
         low = (places[:, 0].min() - DIAMETER, -case.radius - DIAMETER, -DIAMETER)
-        high = (0.05, case.radius + DIAMETER, 2 * case.radius + DIAMETER)
+        high = (0.05 if self.falling else PLATE, case.radius + DIAMETER, 2 * case.radius + DIAMETER)
         low = (min(low[0], -case.cone - case.height - 1e-3), *low[1:])
         head = ["spheres in a silo", "", f"{len(places)} atoms", "2 atom types"]
         head += [f"{a!r} {b!r} {x}lo {x}hi" for a, b, x in zip(map(float, low), high, "xyz")] + ["", "Atoms", ""]
@@ -161,15 +178,16 @@ run {case.frame * case.frames}
         rows = np.array([row for row in rows if row[0] > 0 and row[0] % case.frame == 0])
         if len(rows) < case.frames:
             raise SystemExit(f"{self.name} gave {len(rows)} frames, {case.frames} are wanted:\n{said[-1500:]}")
-        return rows[:case.frames, 0] * case.step, rows[:case.frames, 1]
+        return rows[:case.frames, 1]
 
 
 class Liggghts(Peer):
-    name = "LIGGGHTS"
+    called = "LIGGGHTS"
 
     def write(self, case, folder, places):
         (folder / "pack.data").write_text(self.data_file(case, places))
-        write_stl(folder / "walls.stl", {"walls": case.walls()["walls"]}, 1e-3)
+        walls = [triangle for triangle in case.walls()["walls"] if self.plate or max(x for x, _, _ in triangle) <= 0]
+        write_stl(folder / "walls.stl", {"walls": walls}, 1e-3)
         law, options = "model hertz tangential history", "tangential_damping off limitForce on"
 
         def pairs(own, wall):
@@ -192,7 +210,7 @@ fix walls all wall/gran {law} mesh n_meshes 1 meshes silo {options}
 
 
 class Lammps(Peer):
-    name = "LAMMPS"
+    called = "LAMMPS"
 
     def write(self, case, folder, places):
         (folder / "pack.data").write_text(self.data_file(case, places))
@@ -215,5 +233,5 @@ region cone cone x {middle} {case.radius!r} {case.orifice!r} {-case.cone!r} 0 op
 region orifice cylinder x {middle} {case.orifice!r} 0 {PLATE!r} open 1 open 2 units box
 fix cylinder all wall/gran/region granular {wall} region cylinder
 fix cone all wall/gran/region granular {wall} region cone
-fix orifice all wall/gran/region granular {wall} region orifice
+{f"fix orifice all wall/gran/region granular {wall} region orifice" if self.plate else ""}
 {self.tail(case)}""")
