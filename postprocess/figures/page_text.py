@@ -8,7 +8,8 @@ import h5py
 from lengths import unit_of
 
 AFTER_A_CLOG = {"none": "a clog is left to itself", "release": "a clog is cleared by a moment without friction", "stop": "a run ends at its first clog",
-                "restart": "after a clog the column flows without friction and starts anew", "poke": "the arch of a clog is taken out"}
+                "restart": "after a clog the column flows without friction and starts anew",
+                "rewind": "after a clog the column goes back to where friction began and flows on from there without friction for a while", "poke": "the arch of a clog is taken out"}
 DIGITS = 3
 
 

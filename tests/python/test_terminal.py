@@ -6,6 +6,7 @@ import pathlib
 import pty
 import re
 import subprocess
+import sys
 import unittest
 
 import fixtures
@@ -47,6 +48,15 @@ def verbs():
     listed = clog("--help").stdout.split("Subcommands:")[1]
     names = re.findall(r"^  ([\w-]+)", listed, re.M)
     return {name: clog(name, "--help").stdout for name in names}
+
+
+class Words(unittest.TestCase):
+    def test_the_page_has_words_for_every_protocol(self):
+        sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "postprocess/figures"))
+        from page_text import AFTER_A_CLOG  # noqa: PLC0415
+
+        [key] = json.loads(clog("keys", "unclog.protocol", "--json").stdout)["keys"]
+        self.assertEqual(list(AFTER_A_CLOG), key["allowed"])
 
 
 class EveryVerb(unittest.TestCase):
