@@ -19,7 +19,8 @@ struct ContactForce {
 /// After the forces of a step, whose springs stand where that step put them: so no time passes here. Their sum is what
 /// the hot loop added to each particle, but for rounding; films are no contacts.
 /// \param pair, wall  laws as they are now: without friction in a release
+/// \param dt          in which springs grew to where they are now [s]
 std::vector<ContactForce> contact_forces(const Particles& particles, const Neighbours& pairs, const WallContacts& walls,
-                                         const ContactLaw& pair, const ContactLaw& wall);
+                                         const ContactLaw& pair, const ContactLaw& wall, double dt);
 
 }  // namespace clogflow

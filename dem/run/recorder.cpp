@@ -57,7 +57,7 @@ RunData::Contacts contacts_of(const RunState& state) {
   std::vector<Row> rows;
   for (const ContactForce& c :
        contact_forces(p, state.lists.pairs, state.lists.walls, state.present(state.model.laws.pair),
-                      state.present(state.model.laws.wall.contact))) {
+                      state.present(state.model.laws.wall.contact), state.clock.stretch_time())) {
     const std::int64_t own = p.id[c.particle], other = c.other < 0 ? -1 : p.id[c.other];
     const bool turned = other >= 0 && other < own;
     rows.push_back({turned ? other : own, turned ? own : other, turned ? Vec3(-c.normal) : c.normal,

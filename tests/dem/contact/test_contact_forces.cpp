@@ -12,7 +12,7 @@ namespace {
 
 std::vector<ContactForce> forces_of(const RunState& state) {
   return contact_forces(state.particles, state.lists.pairs, state.lists.walls, state.present(state.model.laws.pair),
-                        state.present(state.model.laws.wall.contact));
+                        state.present(state.model.laws.wall.contact), state.clock.stretch_time());
 }
 
 /// On each particle; the other gets the opposite.
