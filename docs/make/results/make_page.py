@@ -42,9 +42,13 @@ def summary(campaign):
             f"{counts[claims.DIFFERS]} differ; the rest these runs cannot decide.")
 
 
+FEW_SEEDS = 5
+
+
 def drifts(point):
     change = point.quantity("mean_burst")
-    return "-" if change["drifts"] is None else f"yes: {estimate(change['change'], 2)}" if change["drifts"] else "no"
+    few = len(point.group["runs"]) < FEW_SEEDS  # then the spread over seeds says little
+    return "-" if few or change["drifts"] is None else f"yes: {estimate(change['change'], 2)}" if change["drifts"] else "no"
 
 
 def points(campaign):
@@ -57,7 +61,7 @@ def points(campaign):
         rows.append([number(p.ratio), number(1e6 * p.group["geometry"]["diameter"]), len(p.group["runs"]),
                      number(sum(r["end"] - r["start"] for r in p.group["runs"])), f"{mean['stops']} / {mean['passages']}", f"**{estimate(mean)}**",
                      estimate(p.quantity("mean_burst")), estimate(p.quantity("mean_burst_by_threshold")),
-                     "-" if failed is None else f"{100 * failed:.2g} %", drifts(p), number(p.group["steady"]["particles"]["value"]),
+                     "-" if failed is None else f"{100 * failed:.3g} %", drifts(p), number(p.group["steady"]["particles"]["value"]),
                      number(p.group["steady"]["packing_fraction"]["value"]), number(p.core_hours(), 2)])
     return table(head, rows)
 
