@@ -87,5 +87,39 @@ TEST(FarAway, ParticlesInFreeFlightNeedNoMoreCells) {
   EXPECT_EQ(lab->pair_tally().contacts, 1);
 }
 
+/// A state of a run that rewinds, with the clog there: the next step puts the kept column back.
+std::string about_to_go_back(Simulation& simulation) {
+  simulation.fill({});
+  while (!simulation.state().clog_watch.goes_back() && simulation.time() < simulation.model().scene.time.end) {
+    simulation.compute_forces();
+    simulation.record();
+    simulation.advance();
+  }
+  return simulation.state().clog_watch.goes_back() ? simulation.save() : "";
+}
+
+TEST(ForgedColumns, AreRefusedOrGoneOnFrom) {
+  const Scene scene = small_channel(
+      {"inlet.start=flowing", "inlet.strain=0.5", "unclog.protocol=rewind", "unclog.strain=0.1", "time.end=60 ms"});
+  const FlowGrid flow = synthetic_flow(scene);
+  Simulation simulation(scene, &flow, 1);
+  const std::string state = about_to_go_back(simulation);
+  ASSERT_FALSE(state.empty()) << "no clog";
+  const auto go_on = [&](const std::string& bytes) {
+    return refusal([&] {
+      Simulation resumed(scene, &flow, 1);
+      resumed.resume(bytes);
+      for (int step = 0; step < 3; ++step) resumed.compute_forces(), resumed.record(), resumed.advance();
+      throw Error("long enough");
+    });
+  };
+  EXPECT_EQ(go_on(state), "long enough");
+  int of_column = 0;
+  for (std::size_t at = 0; at + 8 <= state.size(); at += 92)
+    of_column +=
+        go_on(replaced(state, at, std::nan(""))).find("a saved state is damaged (kept column)") != std::string::npos;
+  EXPECT_GT(of_column, 0);
+}
+
 }  // namespace
 }  // namespace clogflow::test

@@ -80,11 +80,11 @@ class Runs(unittest.TestCase):
                          set={"time.end": "100 s", "output.checkpoint_interval": "60 s"})
 
     def test_a_program_that_does_not_stop_is_killed(self):
-        stubborn = self.folder / "stubborn"
-        stubborn.write_text("#!/bin/sh\ntrap '' TERM\nwhile :; do sleep 0.1; done\n")
-        stubborn.chmod(0o755)
+        deaf = self.folder / "deaf"
+        deaf.write_text("#!/bin/sh\ntrap '' TERM\nwhile :; do sleep 0.1; done\n")
+        deaf.chmod(0o755)
         with unittest.mock.patch("clogflow.program.TIME_TO_SAVE", 0.5), self.assertRaises(clogflow.ProgramError):
-            clogflow.program.call([], program=stubborn, timeout=0.5)
+            clogflow.program.call([], program=deaf, timeout=0.5)
 
 
 class Finding(unittest.TestCase):

@@ -59,7 +59,7 @@ def longer_flow(campaign):
 def continuous(campaign):
     point = next((c.at(10) for c in (campaign, *campaign.others) if c.at(10)), None)
     if point is None:
-        return APART, AGREES
+        return APART, ABSENT
     arrests = point.trend["alpha"]
     count = arrests["ended"] + arrests["cut"]
     time = sum(r["end"] - r["start"] for r in point.group["runs"])

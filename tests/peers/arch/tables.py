@@ -33,7 +33,9 @@ class Table:
     def write(self):
         self.file.parent.mkdir(parents=True, exist_ok=True)
         columns = list(next(iter(self.rows.values())))
-        with open(self.file, "w", newline="") as out:
+        whole = self.file.with_name(self.file.name + ".part")  # a full disk leaves the rows that were there
+        with open(whole, "w", newline="") as out:
             writer = csv.DictWriter(out, columns, lineterminator="\n")
             writer.writeheader()
             writer.writerows(self.rows.values())
+        whole.replace(self.file)
