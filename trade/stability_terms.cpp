@@ -153,6 +153,9 @@ TermPoint term_point(Term term, int number) {
   if (is(Term::gravity)) p.weight = log_between(u(47), 0.01, 100);
   if (is(Term::drive)) p.amplitude = log_between(u(53), 0.1, 2), p.shape = shapes[k % 3];
   if (is(Term::drive)) p.periods = 1 + static_cast<int>(20 * u(59));
+  // Films and a balance of pressures are not solved for together.
+  if ((term == Term::pressure || term == Term::compliance) && p.base.integrator == Integrator::implicit_fluid)
+    p.base.integrator = Integrator::implicit_drag;
   if (term == Term::pressure) p.drop_ratio = log_between(u(61), 1, 100);
   if (term == Term::compliance) p.compliance_steps = log_between(u(67), 10, 1e4);
   if (term == Term::walls) p.wall_ratio = log_between(u(71), 0.01, 100);

@@ -111,9 +111,7 @@ double depth_in_neck(double d, double across) {
   return d / 2 - std::sqrt(d * d / 4 - edge * edge);
 }
 
-/// Films and a balance of pressures are not solved for together.
 void set_balance(const TermPoint& p, Scene& s) {
-  if (s.time.integrator == Integrator::implicit_fluid) s.time.integrator = Integrator::implicit_drag;
   const double drop = *estimated_pressure_drop(s);
   if (p.term == Term::pressure) {
     s.flow.drive = DrivenBy::pressure;
