@@ -1,0 +1,72 @@
+"""How many particles hold a clog: three counts of the same contact network, for each clog that was proved."""
+
+import sys
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "postprocess" / "figures"))
+from arch import arch_of  # noqa: E402  (found through the line above)
+from run_file import WALL, read_snapshots  # noqa: E402
+
+LEAST_FORCE = 0.01  # of the largest normal force near the neck: weaker contacts bear nothing
+FLAT = 0.5  # |z| of a wall's normal above which it is floor or ceiling
+CHAIN_REACH = 3  # neck widths upstream of the neck's entrance
+
+
+def clog_snapshots(path):
+    """The last snapshot before each time the column was put back, if nothing had passed since half of tau before it."""
+    with h5py.File(path) as file:
+        times, off = file["snapshots/time"][:], file["releases/off"][:]
+        passages = file["passages/time"][:]
+    places = []
+    for release in off:
+        k = np.searchsorted(times, release) - 1
+        before = passages[passages < release]
+        if k >= 0 and (not len(before) or times[k] > before[-1] + 0.003):
+            places.append(k)
+    return read_snapshots(path, places)
+
+
+def layer(snapshot, geometry):
+    """The arch of the program (dem/run/arch): two contacts or more, within a diameter of the foremost such particle."""
+    x = snapshot.position[:, 0]
+    bearing = (contact_counts(snapshot) >= 2) & (x < geometry["passage_plane"])
+    return int(np.sum(bearing & (x > x[bearing].max() - 2 * snapshot.radius[0]))) if bearing.any() else 0
+
+
+def contact_counts(snapshot):
+    count = np.zeros(len(snapshot.radius), dtype=int)
+    np.add.at(count, snapshot.contacts.a, 1)
+    np.add.at(count, snapshot.contacts.b[snapshot.contacts.b != WALL], 1)
+    return count
+
+
+def chain(snapshot, geometry):
+    """Particles of the shortest chain of contacts that bear load, from one side wall to the other; 0 if there is none."""
+    c, x = snapshot.contacts, snapshot.position[:, 0]
+    near = x > -CHAIN_REACH * geometry["neck_width"]
+    pressing = near[c.a] & (c.b == WALL) | near[c.a] & near[np.maximum(c.b, 0)] & (c.b != WALL)
+    if not pressing.any():
+        return 0
+    pressing &= c.force > LEAST_FORCE * c.force[pressing].max()
+    side = pressing & (c.b == WALL) & (np.abs(c.normal[:, 2]) < FLAT)
+    upper, lower = set(c.a[side & (c.normal[:, 1] < 0)]), set(c.a[side & (c.normal[:, 1] > 0)])
+    others = {}
+    for a, b in zip(c.a[pressing & (c.b != WALL)], c.b[pressing & (c.b != WALL)]):
+        others.setdefault(a, []).append(b)
+        others.setdefault(b, []).append(a)
+    front, seen, length = upper, set(upper), 1
+    while front:
+        if front & lower:
+            return length
+        front = {b for a in front for b in others.get(a, ())} - seen
+        seen |= front
+        length += 1
+    return 0
+
+
+def counts_of(path, geometry):
+    """A row for each clog of a run: seen from the outlet, foremost layer, shortest chain."""
+    return [(len(arch_of(s, geometry)), layer(s, geometry), chain(s, geometry)) for s in clog_snapshots(path)]

@@ -1,0 +1,98 @@
+"""Is a clog foreseen in the state before it? Variance of its chance between states against that between copies of one."""
+
+import csv
+from dataclasses import dataclass
+
+import numpy as np
+
+RESAMPLES = 2000
+WITHIN = 60  # passages that copies are followed for
+
+
+@dataclass
+class Share:
+    """Of the variance of "clogs within the next M particles", what the state decides."""
+
+    chance: float  # that a copy clogs
+    value: float  # share of the variance between states
+    low: float
+    high: float
+    p_value: float  # of so much where copies are dealt to states at random
+    states: int
+    copies: int
+
+
+def read_copies(file):
+    """\\return (D/d, push, age) -> state -> rows of (passed, clogged, alike), copy 0 first"""
+    sets = {}
+    with file.open(newline="") as table:
+        for row in csv.DictReader(table):
+            key = float(row["D/d"]), float(row["push"]), int(row["age"])
+            state = sets.setdefault(key, {}).setdefault((int(row["seed"]), int(row["burst"])), [])
+            state.append((int(row["passed"]), int(row["clogged"]), int(row["alike"])))
+    # A state of which the end of the run cut a copy tells nothing.
+    return {key: {name: rows for name, rows in states.items() if all(clogged or passed >= WITHIN for passed, clogged, _ in rows)}
+            for key, states in sets.items()}
+
+
+def share_of_variance(groups):
+    """Analysis of variance of one factor, for zeros and ones in groups; not cut off at 0."""
+    sizes = np.array([len(g) for g in groups], float)
+    means = np.array([np.mean(g) for g in groups])
+    total, n = sizes.sum(), len(groups)
+    overall = (sizes * means).sum() / total
+    between = (sizes * (means - overall) ** 2).sum() / (n - 1)
+    within = sum(((np.array(g) - m) ** 2).sum() for g, m in zip(groups, means)) / (total - n)
+    typical = (total - (sizes**2).sum() / total) / (n - 1)
+    both = between + (typical - 1) * within
+    return (between - within) / both if both > 0 else np.nan
+
+
+def foreseen(groups, seed=1):
+    """\\param groups  for each state 0 or 1 of each of its copies"""
+    groups = [np.array(g, float) for g in groups if len(g) > 1]
+    random = np.random.default_rng(seed)
+    drawn = [share_of_variance([groups[k] for k in random.integers(0, len(groups), len(groups))]) for _ in range(RESAMPLES)]
+    low, high = np.nanquantile(drawn, (0.025, 0.975))
+    value, everything = share_of_variance(groups), np.concatenate(groups)
+    ends = np.cumsum([len(g) for g in groups])[:-1]
+    dealt = [share_of_variance(np.split(random.permutation(everything), ends)) for _ in range(RESAMPLES)]
+    return Share(everything.mean(), value, low, high, (1 + np.sum(np.array(dealt) >= value)) / (1 + RESAMPLES), len(groups), len(everything))
+
+
+def window(states, first, last):
+    """Of the copies that let `first` particles pass: whether they clog before the one after `last`."""
+    return [[int(clogged and passed < last) for passed, clogged, _ in rows if passed > first or (passed == first and clogged)]
+            for rows in states.values()]
+
+
+def still_alike(states, lags):
+    """Share of the pushed copies that let the same particles pass in the same order as the run itself, of those that
+    (or whose run) could tell."""
+    shares = []
+    for lag in lags:
+        same = [alike >= lag for rows in states.values() for passed, _, alike in rows[1:] if rows[0][0] >= lag or passed >= lag]
+        shares.append(np.mean(same) if same else np.nan)
+    return shares
+
+
+def branching_gain(share, cost_of_state, cost_of_copy):
+    """How many times fewer core-seconds the chance takes if each state gets the best number of copies, and that number.
+    Variance per state p (1 - p) (share + (1 - share) / copies), cost per state cost_of_state + copies cost_of_copy."""
+    share = max(share, 0)
+
+    def price(copies):
+        return (share + (1 - share) / copies) * (cost_of_state + copies * cost_of_copy)
+
+    best = min(range(1, 201), key=price)
+    return price(1) / price(best), best
+
+
+def known_gain(share, chance):
+    """Upper bound of the gain of putting the copies where they tell most, if the chance of every state were known free of
+    charge: p (1 - p) over the square of the mean of sqrt(q (1 - q)), q of a beta distribution with this share."""
+    if not 0 < share < 1:
+        return 1.0
+    strength = 1 / share - 1
+    q = np.random.default_rng(1).beta(chance * strength, (1 - chance) * strength, 200000)
+    return chance * (1 - chance) / np.mean(np.sqrt(q * (1 - q))) ** 2

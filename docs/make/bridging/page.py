@@ -1,0 +1,79 @@
+"""law.csv, figures and numbers of docs/reports/bridging.md, from committed tables."""
+
+import csv
+
+import numpy as np
+import steps
+from bursts import log_error, mean_of
+from figures import draw_arches, draw_copies, draw_law
+from foreseen import branching_gain, foreseen, known_gain, read_copies, still_alike, window
+from law import sizes_of_base, write_law
+from points import COST, POINTS
+
+COUNTS = ("seen from the outlet", "foremost layer", "shortest chain")
+
+
+def say_steps(curve):
+    misfit, p = steps.p_of_misfit(curve)
+    print(f"smooth curve of degree {steps.DEGREE} through {len(curve.logs)} points: chi squared {misfit:.1f} with "
+          f"{steps.degrees_of_freedom(curve)} degrees of freedom, p = {p:.3f}")
+    place, height, gain, p, tries = steps.best_step(curve)
+    print(f"best of {tries} single steps: at D/d = {place:.2f}, {100 * np.expm1(height):+.0f} %, chi squared better by {gain:.1f}, p = {p:.2f} among {tries}")
+    for name, places in steps.NAMED.items():
+        height, error, p = steps.named_steps(curve, places)
+        low, high = np.expm1(height - 1.96 * error), np.expm1(height + 1.96 * error)
+        print(f"steps where {name}: {100 * np.expm1(height):+.0f} % [{100 * low:+.0f}, {100 * high:+.0f}] each, p = {p:.2f} (one of {len(steps.NAMED)} tests)")
+
+
+def arch_counts(file):
+    counts = {name: {} for name in COUNTS}
+    with file.open(newline="") as table:
+        for row in csv.DictReader(table):
+            if POINTS[row["point"]].is_base():
+                for name in COUNTS:
+                    counts[name].setdefault(float(row["D/d [1]"]), []).append(int(row[f"{name} [1]"]))
+    return counts
+
+
+def say_arches(counts):
+    print("\n| D/d | clogs | " + " | ".join(COUNTS) + " | (D/d)^2 + 1 |\n| --- |" + " --- |" * 5)
+    for ratio in sorted(counts[COUNTS[0]]):
+        cells = []
+        for name in COUNTS:
+            sizes = np.array(counts[name][ratio])
+            cells.append(f"{sizes.mean():.2f} +- {sizes.std(ddof=1) / np.sqrt(len(sizes)):.2f} (from {sizes.min()})")
+        print(f"| {ratio:.3g} | {len(counts[COUNTS[0]][ratio])} | " + " | ".join(cells) + f" | {ratio**2 + 1:.1f} |")
+
+
+def say_copies(sets):
+    curves = {}
+    for (ratio, push, age), states in sorted(sets.items()):
+        lags = range(max(r[0] for rows in states.values() for r in rows) + 1)
+        shares = still_alike(states, lags)
+        curves[f"D/d = {ratio:.3g}, push {push:g} d"] = list(lags), shares
+        apart = next((lag for lag, share in zip(lags, shares) if share < 0.5), None)
+        print(f"\nD/d = {ratio:.3g}, push {push:g} d, age {age}, {len(states)} states: half of the copies are no longer alike after {apart} passages")
+        mean = np.mean([r[0] for rows in states.values() for r in rows])
+        for last in sorted({max(1, round(mean * f)) for f in (0.25, 0.5, 1, 2)}):
+            groups = window(states, 0, last)
+            share = foreseen(groups)
+            if not 0 < share.chance < 1:
+                continue
+            gain, best = branching_gain(share.value, *COST[ratio])
+            print(f"  clogs within {last}: chance {share.chance:.2f}, share of the variance between states {share.value:.2f} [{share.low:.2f}, {share.high:.2f}], "
+                  f"p = {share.p_value:.3f}; gain of branching {gain:.2f} with {best} copies, of known chances {known_gain(share.value, share.chance):.2f}")
+    return curves
+
+
+def write_page(reports):
+    folder = reports / "bridging"
+    lines = write_law(reports)
+    print(f"law.csv: {len(lines)} rows, {sum(line['status'] == 'measured' for line in lines)} of them measured")
+    curve = steps.curve_of(sizes_of_base(reports), log_error, mean_of)
+    draw_law(lines, curve, folder / "law.png")
+    say_steps(curve)
+    counts = arch_counts(folder / "arches.csv")
+    draw_arches(counts, folder / "arches.png")
+    say_arches(counts)
+    if (folder / "committor.csv").exists():
+        draw_copies(say_copies(read_copies(folder / "committor.csv")), folder / "copies.png")

@@ -1,0 +1,6 @@
+# free_bursts is a part of ./Alltest --nightly. committor FLOW SEED AGE WITHIN COPIES PUSH is for docs/reports/bridging.md.
+clog_tests(test_pushed_copies
+  SOURCES statistics/test_pushed_copies.cpp statistics/pushed_copies.cpp
+  LIBRARIES clog_dem LABELS unit)
+add_executable(committor statistics/committor.cpp statistics/pushed_copies.cpp)
+target_link_libraries(committor PRIVATE clog_dem)
