@@ -1,4 +1,4 @@
-"""How many particles hold a clog: three counts of the same contact network, for each clog that was proved."""
+"""How many particles hold a clog: four counts of the same contact network, for each clog that was proved."""
 
 import sys
 from pathlib import Path
@@ -68,5 +68,11 @@ def chain(snapshot, geometry):
 
 
 def counts_of(path, geometry):
-    """A row for each clog of a run: seen from the outlet, foremost layer, shortest chain."""
-    return [(len(arch_of(s, geometry)), layer(s, geometry), chain(s, geometry)) for s in clog_snapshots(path)]
+    """A row for each clog of a run: seen from the outlet, those of them that are centred before the opening, foremost layer,
+    shortest chain."""
+    rows = []
+    for snapshot in clog_snapshots(path):
+        seen = arch_of(snapshot, geometry)
+        centred = np.abs(snapshot.position[seen, 1]) < geometry["neck_width"] / 2
+        rows.append((len(seen), int(centred.sum()), layer(snapshot, geometry), chain(snapshot, geometry)))
+    return rows

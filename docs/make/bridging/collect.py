@@ -41,4 +41,4 @@ def collect(program, folder, reports):
                 arches.append([name, f"{NECK / 1e6 / group['geometry']['diameter']:.4g}", *counts])
     write_sizes(reports / "bursts.csv", sizes)
     put(reports / "points.csv", ["point", "packing near the neck [1]", "rate while flowing [1/s]"], more)
-    put(reports / "arches.csv", ["point", "D/d [1]", "seen from the outlet [1]", "foremost layer [1]", "shortest chain [1]"], arches)
+    put(reports / "arches.csv", ["point", "D/d [1]", "seen from the outlet [1]", "centred before the opening [1]", "foremost layer [1]", "shortest chain [1]"], arches)

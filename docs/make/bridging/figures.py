@@ -47,7 +47,7 @@ def draw_arches(counts, file):
         ratios = np.array(sorted(by_ratio))
         means = [np.mean(by_ratio[r]) for r in ratios]
         spread = [np.std(by_ratio[r]) for r in ratios]
-        axes.errorbar(ratios + 0.012 * (k - 1), means, spread, fmt="osD"[k], color=f"C{k}", ms=4, lw=0.8, label=name)
+        axes.errorbar(ratios + 0.012 * (k - 1), means, spread, fmt="osD^"[k], color=f"C{k}", ms=4, lw=0.8, label=name)
     x = np.linspace(*axes.get_xlim())
     axes.plot(x, x**2 + 1, "k-", lw=1, label="(D/d)$^2$ + 1")
     axes.plot(x, x + 1, "k--", lw=1, label="D/d + 1")

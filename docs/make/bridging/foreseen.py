@@ -35,29 +35,28 @@ def read_copies(file):
             for key, states in sets.items()}
 
 
-def share_of_variance(groups):
-    """Analysis of variance of one factor, for zeros and ones in groups; not cut off at 0."""
-    sizes = np.array([len(g) for g in groups], float)
-    means = np.array([np.mean(g) for g in groups])
-    total, n = sizes.sum(), len(groups)
-    overall = (sizes * means).sum() / total
-    between = (sizes * (means - overall) ** 2).sum() / (n - 1)
-    within = sum(((np.array(g) - m) ** 2).sum() for g, m in zip(groups, means)) / (total - n)
-    typical = (total - (sizes**2).sum() / total) / (n - 1)
-    both = between + (typical - 1) * within
-    return (between - within) / both if both > 0 else np.nan
+def share_of_variance(clogged, copies):
+    """Analysis of variance of one factor, not cut off at 0. Both are [..., states]: how many copies clogged, of how many."""
+    total, states = copies.sum(axis=-1), copies.shape[-1]
+    overall = clogged.sum(axis=-1) / total
+    between = (copies * (clogged / copies - overall[..., None]) ** 2).sum(axis=-1) / (states - 1)
+    within = (clogged - clogged**2 / copies).sum(axis=-1) / (total - states)
+    typical = (total - (copies**2).sum(axis=-1) / total) / (states - 1)
+    with np.errstate(invalid="ignore"):
+        return (between - within) / (between + (typical - 1) * within)
 
 
-def foreseen(groups, seed=1):
-    """\\param groups  for each state 0 or 1 of each of its copies"""
-    groups = [np.array(g, float) for g in groups if len(g) > 1]
-    random = np.random.default_rng(seed)
-    drawn = [share_of_variance([groups[k] for k in random.integers(0, len(groups), len(groups))]) for _ in range(RESAMPLES)]
-    low, high = np.nanquantile(drawn, (0.025, 0.975))
-    value, everything = share_of_variance(groups), np.concatenate(groups)
-    ends = np.cumsum([len(g) for g in groups])[:-1]
-    dealt = [share_of_variance(np.split(random.permutation(everything), ends)) for _ in range(RESAMPLES)]
-    return Share(everything.mean(), value, low, high, (1 + np.sum(np.array(dealt) >= value)) / (1 + RESAMPLES), len(groups), len(everything))
+def foreseen(groups):
+    """\param groups  for each state 0 or 1 of each of its copies"""
+    groups = [g for g in groups if len(g) > 1]
+    clogged, copies = np.array([sum(g) for g in groups]), np.array([len(g) for g in groups])
+    random = np.random.default_rng(1)
+    drawn = random.integers(0, len(groups), (RESAMPLES, len(groups)))
+    low, high = np.nanquantile(share_of_variance(clogged[drawn], copies[drawn]), (0.025, 0.975))
+    value = share_of_variance(clogged, copies)
+    dealt = random.multivariate_hypergeometric(copies, clogged.sum(), RESAMPLES)
+    p_value = (1 + np.sum(share_of_variance(dealt, np.broadcast_to(copies, dealt.shape)) >= value)) / (1 + RESAMPLES)
+    return Share(clogged.sum() / copies.sum(), value, low, high, p_value, len(groups), copies.sum())
 
 
 def window(states, first, last):

@@ -10,7 +10,7 @@ from foreseen import branching_gain, foreseen, known_gain, read_copies, still_al
 from law import sizes_of_base, write_law
 from points import COST, POINTS
 
-COUNTS = ("seen from the outlet", "foremost layer", "shortest chain")
+COUNTS = ("seen from the outlet", "centred before the opening", "foremost layer", "shortest chain")
 
 
 def say_steps(curve):
@@ -36,7 +36,7 @@ def arch_counts(file):
 
 
 def say_arches(counts):
-    print("\n| D/d | clogs | " + " | ".join(COUNTS) + " | (D/d)^2 + 1 |\n| --- |" + " --- |" * 5)
+    print("\n| D/d | clogs | " + " | ".join(COUNTS) + " | (D/d)^2 + 1 |\n| --- |" + " --- |" * 6)
     for ratio in sorted(counts[COUNTS[0]]):
         cells = []
         for name in COUNTS:

@@ -16,20 +16,26 @@ class Curve:
     logs: np.ndarray
     errors: np.ndarray
 
-    def misfit(self, *more, logs=None):
-        """Chi squared of the polynomial and further columns, \\return it and the coefficients."""
+    def columns(self, *more):
+        """Of the polynomial and of what is fitted beside it, over the errors."""
         x = self.ratios - np.mean(RANGE)
-        columns = np.column_stack([x**k for k in range(DEGREE + 1)] + list(more)) / self.errors[:, None]
-        values = (self.logs if logs is None else logs) / self.errors
-        solution = np.linalg.lstsq(columns, values, rcond=None)[0]
-        return float(((values - columns @ solution) ** 2).sum()), solution
+        return np.column_stack([x**k for k in range(DEGREE + 1)] + list(more)) / self.errors[:, None]
+
+    def fit(self, *more, logs=None):
+        """Coefficients, the last of them those of `more`; logs are ours, or rows of others."""
+        return np.linalg.pinv(self.columns(*more)) @ ((self.logs if logs is None else logs) / self.errors).T
+
+    def misfit(self, *more, logs=None):
+        """Chi squared, of each row of logs."""
+        columns = self.columns(*more)
+        values = ((self.logs if logs is None else logs) / self.errors).T
+        return ((values - columns @ (np.linalg.pinv(columns) @ values)) ** 2).sum(axis=0)
 
     def smooth(self):
-        x = self.ratios - np.mean(RANGE)
-        return sum(c * x**k for k, c in enumerate(self.misfit()[1]))
+        return self.columns() @ self.fit() * self.errors
 
     def replicates(self):
-        """Logs as a smooth law would give them, with our errors."""
+        """Rows of logs as a smooth law would give them, with our errors."""
         random = np.random.default_rng(1)
         return self.smooth() + self.errors * random.standard_normal((REPLICATES, len(self.logs)))
 
@@ -45,8 +51,7 @@ def degrees_of_freedom(curve):
 
 def p_of_misfit(curve):
     """Of the smooth curve alone: chi squared, and the share of replicates that are worse."""
-    found = curve.misfit()[0]
-    return found, np.mean([curve.misfit(logs=logs)[0] >= found for logs in curve.replicates()])
+    return curve.misfit(), np.mean(curve.misfit(logs=curve.replicates()) >= curve.misfit())
 
 
 def step_at(curve, place):
@@ -59,26 +64,24 @@ def places_between(curve):
 
 
 def best_step(curve):
-    """The step anywhere that helps most: place, height in ln, gain in chi squared, and its p among as many tries."""
+    """The step anywhere that helps most: place, height in ln, gain in chi squared, its p among as many tries, and these."""
+    places = places_between(curve)
 
     def gains(logs):
-        flat = curve.misfit(logs=logs)[0]
-        return [flat - curve.misfit(step_at(curve, place), logs=logs)[0] for place in places_between(curve)]
+        return curve.misfit(logs=logs) - np.array([curve.misfit(step_at(curve, place), logs=logs) for place in places])
 
     found = gains(curve.logs)
-    best = int(np.argmax(found))
-    place = places_between(curve)[best]
-    p = np.mean([max(gains(logs)) >= found[best] for logs in curve.replicates()])
-    return place, curve.misfit(step_at(curve, place))[1][-1], found[best], p, len(found)
+    place = places[np.argmax(found)]
+    p = np.mean(gains(curve.replicates()).max(axis=0) >= found.max())
+    return place, curve.fit(step_at(curve, place))[-1], found.max(), p, len(places)
 
 
 def named_steps(curve, places):
     """One height for all steps at these places: height in ln, its standard error, p of its gain. One trial."""
-    stairs = sum(step_at(curve, place) for place in places)
-    flat, (with_steps, solution) = curve.misfit()[0], curve.misfit(stairs)
-    heights = [curve.misfit(stairs, logs=logs)[1][-1] for logs in curve.replicates()]
-    p = np.mean([curve.misfit(logs=logs)[0] - curve.misfit(stairs, logs=logs)[0] >= flat - with_steps for logs in curve.replicates()])
-    return solution[-1], np.std(heights), p
+    stairs, others = sum(step_at(curve, place) for place in places), curve.replicates()
+    gain = curve.misfit() - curve.misfit(stairs)
+    p = np.mean(curve.misfit(logs=others) - curve.misfit(stairs, logs=others) >= gain)
+    return curve.fit(stairs)[-1], np.std(curve.fit(stairs, logs=others)[-1]), p
 
 
 # Where a whole number of particles more is needed by (D/d)^2 + 1; where a whole number fits side by side; and where one
