@@ -1,5 +1,6 @@
 // Is a clog foreseen in the state before it? Takes one state of each burst and follows copies of it that were pushed by
-// far less than an overlap: docs/reports/bridging.md. A line of CSV on standard output for each copy.
+// far less than an overlap: docs/reports/bridging.md. A line of CSV on standard output for each copy;
+// number 0 is the run itself, not pushed.
 
 #include <cstdio>
 #include <cstdlib>
@@ -28,8 +29,8 @@ void follow(const Branching& branching, const Plan& plan, std::size_t burst) {
   for (std::uint64_t copy = 0; copy < plan.copies; ++copy) {
     const Future future = copy == 0 ? own : future_of(branching, copy, amount);
     fmt::print("{:.4g},{},{},{},{},{:g},{},{},{},{}\n",
-               branching.scene.geometry.neck_width / branching.scene.particles.diameter, plan.seed, burst, plan.age, copy,
-               copy == 0 ? 0 : plan.push, plan.within, future.passed.size(), int{future.clogged}, alike(own, future));
+               branching.scene.geometry.neck_width / branching.scene.particles.diameter, plan.seed, burst, plan.age,
+               copy, plan.push, plan.within, future.passed.size(), int{future.clogged}, alike(own, future));
   }
   std::fflush(stdout);
 }
@@ -55,7 +56,8 @@ void run(const Scene& scene, const FlowGrid& flow, const Plan& plan) {
 int main(int argc, char** argv) {
   using namespace clogflow;
   if (argc < 7) {
-    fmt::print(stderr, "usage: committor FLOW SEED AGE WITHIN COPIES PUSH [KEY=VALUE ...]   (of scenes/campaign.toml)\n");
+    fmt::print(stderr,
+               "usage: committor FLOW SEED AGE WITHIN COPIES PUSH [KEY=VALUE ...]   (of scenes/campaign.toml)\n");
     return 2;
   }
   try {

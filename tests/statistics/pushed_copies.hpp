@@ -10,8 +10,8 @@
 
 namespace clogflow::test {
 
-/// Moves each centre by at most `amount` along x, y and z each [m]. Contacts keep their springs, so a push far below the
-/// overlaps changes no force that could be measured.
+/// Moves each centre by at most `amount` along x, y and z each [m]. Contacts keep their springs, so a push far below
+/// the overlaps changes no force that could be measured.
 void push(Particles& particles, double amount, RandomStream random);
 
 /// A state and the run that it is of.
@@ -19,7 +19,7 @@ struct Branching {
   const Scene& scene;  ///< unclog.protocol = "rewind", which says when a clog is proved and goes on
   const FlowGrid* flow;
   std::uint64_t seed;
-  std::string state;  ///< of Simulation::save(), friction on
+  std::string state;   ///< of Simulation::save(), friction on
   std::size_t within;  ///< passages after which a copy that has not clogged is left
 };
 

@@ -9,7 +9,9 @@
 namespace clogflow::test {
 namespace {
 
-Scene rewinding() { return small_channel({"inlet.start=flowing", "unclog.protocol=rewind", "inlet.strain=1", "time.end=60 ms"}); }
+Scene rewinding() {
+  return small_channel({"inlet.start=flowing", "unclog.protocol=rewind", "inlet.strain=1", "time.end=60 ms"});
+}
 
 TEST(PushedCopies, MoveEachCentreByAtMostThePush) {
   const Scene scene = rewinding();
@@ -19,7 +21,8 @@ TEST(PushedCopies, MoveEachCentreByAtMostThePush) {
   const Particles before = run.particles();
   push(run.particles(), 1e-12, RandomStream(1));
   double largest = 0;
-  for (std::size_t i = 0; i < before.size(); ++i) largest = std::max(largest, std::abs(run.particles()[i].y - before[i].y));
+  for (std::size_t i = 0; i < before.size(); ++i)
+    largest = std::max(largest, std::abs(run.particles()[i].y - before[i].y));
   EXPECT_GT(largest, 0.5e-12);
   EXPECT_LT(largest, 1.001e-12);
 }

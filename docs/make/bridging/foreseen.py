@@ -11,9 +11,9 @@ WITHIN = 60  # passages that copies are followed for
 
 @dataclass
 class Share:
-    """Of the variance of "clogs within the next M particles", what the state decides."""
+    """Of the variance among copies, what the state decides."""
 
-    chance: float  # that a copy clogs
+    mean: float  # of all copies: the chance that one clogs, or the particles that it lets pass
     value: float  # share of the variance between states
     low: float
     high: float
@@ -35,28 +35,40 @@ def read_copies(file):
             for key, states in sets.items()}
 
 
-def share_of_variance(clogged, copies):
-    """Analysis of variance of one factor, not cut off at 0. Both are [..., states]: how many copies clogged, of how many."""
+def share_of_variance(sums, squares, copies):
+    """Analysis of variance of one factor, not cut off at 0. Of the values of each state's copies, [..., states]: their sum, the
+    sum of their squares, their number."""
     total, states = copies.sum(axis=-1), copies.shape[-1]
-    overall = clogged.sum(axis=-1) / total
-    between = (copies * (clogged / copies - overall[..., None]) ** 2).sum(axis=-1) / (states - 1)
-    within = (clogged - clogged**2 / copies).sum(axis=-1) / (total - states)
+    overall = sums.sum(axis=-1) / total
+    between = (copies * (sums / copies - overall[..., None]) ** 2).sum(axis=-1) / (states - 1)
+    within = (squares - sums**2 / copies).sum(axis=-1) / (total - states)
     typical = (total - (copies**2).sum(axis=-1) / total) / (states - 1)
-    with np.errstate(invalid="ignore"):
+    with np.errstate(invalid="ignore", divide="ignore"):
         return (between - within) / (between + (typical - 1) * within)
 
 
 def foreseen(groups):
-    """\param groups  for each state 0 or 1 of each of its copies"""
+    """\param groups  for each state a value of each of its copies: whether it clogs, or how many particles it lets pass"""
     groups = [g for g in groups if len(g) > 1]
-    clogged, copies = np.array([sum(g) for g in groups]), np.array([len(g) for g in groups])
+    copies, values = np.array([len(g) for g in groups]), np.concatenate(groups).astype(float)
+    begins = np.cumsum(copies) - copies
     random = np.random.default_rng(1)
+
+    def sums_of(rows):
+        return np.add.reduceat(rows, begins, axis=-1), np.add.reduceat(rows**2, begins, axis=-1)
+
+    sums, squares = sums_of(values)
     drawn = random.integers(0, len(groups), (RESAMPLES, len(groups)))
-    low, high = np.nanquantile(share_of_variance(clogged[drawn], copies[drawn]), (0.025, 0.975))
-    value = share_of_variance(clogged, copies)
-    dealt = random.multivariate_hypergeometric(copies, clogged.sum(), RESAMPLES)
-    p_value = (1 + np.sum(share_of_variance(dealt, np.broadcast_to(copies, dealt.shape)) >= value)) / (1 + RESAMPLES)
-    return Share(clogged.sum() / copies.sum(), value, low, high, p_value, len(groups), copies.sum())
+    low, high = np.nanquantile(share_of_variance(sums[drawn], squares[drawn], copies[drawn]), (0.025, 0.975))
+    value = share_of_variance(sums, squares, copies)
+    dealt = sums_of(random.permuted(np.tile(values, (RESAMPLES, 1)), axis=1))
+    p_value = (1 + np.sum(share_of_variance(*dealt, np.broadcast_to(copies, dealt[0].shape)) >= value)) / (1 + RESAMPLES)
+    return Share(values.mean(), value, low, high, p_value, len(groups), len(values))
+
+
+def sizes(states):
+    """Of the states of which all copies clogged: what each lets pass."""
+    return [[passed for passed, _, _ in rows] for rows in states.values() if all(clogged for _, clogged, _ in rows)]
 
 
 def window(states, first, last):

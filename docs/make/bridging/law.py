@@ -29,7 +29,7 @@ def measured(line, fair, more):
     line = fill(line, {"bursts": len(sizes), "particles passed": sum(sizes), "mean burst": mean, "mean burst low": low, "mean burst high": high,
                        "hazard per particle": 1 / mean if mean else "", "hazard low": 1 / high if high else "", "hazard high": 1 / low if low else "",
                        "share of empty bursts": sizes.count(0) / len(sizes), **more})
-    line["status"] = "measured"
+    line["status"] = "measured" if mean else "stands"
     return line
 
 
@@ -50,12 +50,12 @@ def campaign_sizes(folder):
     with (folder / "bursts.csv").open(newline="") as table:
         for r in csv.DictReader(table):
             bursts.setdefault(r["group"], []).append(r)
-    return {float(points[group]["D/d [1]"]): fair_sizes(rows, float(points[group]["simulated time"]) / float(points[group]["runs"]))
+    return {float(points[group]["D/d [1]"]): fair_sizes(rows, float(points[group]["simulated time [s]"]) / float(points[group]["runs"]))
             for group, rows in bursts.items()}
 
 
 def campaign_rows(folder):
-    return [measured(row("campaign", ratio), fair, {}) for ratio, fair in campaign_sizes(folder).items() if any(map(any, fair.values()))]
+    return [measured(row("campaign", ratio), fair, {}) for ratio, fair in campaign_sizes(folder).items()]
 
 
 def friction_rows(file):
@@ -81,7 +81,7 @@ def friction_rows(file):
                 fill(line, {"mean burst": mean if whole else "", "mean burst low": low, "mean burst high": high if whole else "",
                             "hazard per particle": clogs / passed if passed else "", "hazard low": 1 / high if high and whole else "",
                             "hazard high": 1 / low if low else ""})
-                line["status"] = "measured" if whole else f"lower bound: {clogs} of {r['seeds']} clogged"
+                line["status"] = ("measured" if mean else "stands") if whole else f"lower bound: {clogs} of {r['seeds']} clogged"
             lines.append(line)
     return lines
 

@@ -6,7 +6,7 @@ import numpy as np
 import steps
 from bursts import log_error, mean_of
 from figures import draw_arches, draw_copies, draw_law
-from foreseen import branching_gain, foreseen, known_gain, read_copies, still_alike, window
+from foreseen import branching_gain, foreseen, known_gain, read_copies, sizes, still_alike, window
 from law import sizes_of_base, write_law
 from points import COST, POINTS
 
@@ -23,6 +23,26 @@ def say_steps(curve):
         height, error, p = steps.named_steps(curve, places)
         low, high = np.expm1(height - 1.96 * error), np.expm1(height + 1.96 * error)
         print(f"steps where {name}: {100 * np.expm1(height):+.0f} % [{100 * low:+.0f}, {100 * high:+.0f}] each, p = {p:.2f} (one of {len(steps.NAMED)} tests)")
+
+
+def say_interpolation(sizes):
+    """How well ln of the mean, as a line between the two neighbours, foretells each point in between."""
+    ratios = np.array([r for r in sizes if r >= 1.99])
+    logs = np.array([np.log(mean_of(sizes[r])[0]) for r in ratios])
+    errors = np.array([log_error(sizes[r]) for r in ratios])
+    share = (ratios[1:-1] - ratios[:-2]) / (ratios[2:] - ratios[:-2])
+    missed = logs[1:-1] - (1 - share) * logs[:-2] - share * logs[2:]
+    own = np.sqrt(errors[1:-1] ** 2 + ((1 - share) * errors[:-2]) ** 2 + (share * errors[2:]) ** 2)
+    print(f"interpolation of each point from its neighbours: off by {100 * np.sqrt(np.mean(missed**2)):.1f} % (rms), of which the errors explain "
+          f"{100 * np.sqrt(np.mean(own**2)):.1f} %; worst at D/d = {ratios[1:-1][np.argmax(np.abs(missed))]:.3g}: {100 * missed[np.argmax(np.abs(missed))]:+.0f} %")
+
+
+def say_base(sizes):
+    print("\n| D/d | bursts | mean | share empty |\n| --- | --- | --- | --- |")
+    for ratio, fair in sizes.items():
+        counts = [s for seed in fair.values() for s in seed]
+        mean, low, high = mean_of(fair)
+        print(f"| {ratio:.3g} | {len(counts)} | {mean:.3g} [{low:.3g}, {high:.3g}] | {counts.count(0) / len(counts):.2g} |")
 
 
 def arch_counts(file):
@@ -53,15 +73,20 @@ def say_copies(sets):
         curves[f"D/d = {ratio:.3g}, push {push:g} d"] = list(lags), shares
         apart = next((lag for lag, share in zip(lags, shares) if share < 0.5), None)
         print(f"\nD/d = {ratio:.3g}, push {push:g} d, age {age}, {len(states)} states: half of the copies are no longer alike after {apart} passages")
+        left = sizes(states)
+        if len(left) > 1:
+            share = foreseen(left)
+            print(f"  particles until the clog, {share.states} states: mean {share.mean:.1f}, share of the variance between states {share.value:.3f} "
+                  f"[{share.low:.3f}, {share.high:.3f}]; standard deviation within a state {np.sqrt(np.mean([np.var(s, ddof=1) for s in left])):.2f}")
         mean = np.mean([r[0] for rows in states.values() for r in rows])
         for last in sorted({max(1, round(mean * f)) for f in (0.25, 0.5, 1, 2)}):
             groups = window(states, 0, last)
             share = foreseen(groups)
-            if not 0 < share.chance < 1:
+            if not 0 < share.mean < 1:
                 continue
             gain, best = branching_gain(share.value, *COST[ratio])
-            print(f"  clogs within {last}: chance {share.chance:.2f}, share of the variance between states {share.value:.2f} [{share.low:.2f}, {share.high:.2f}], "
-                  f"p = {share.p_value:.3f}; gain of branching {gain:.2f} with {best} copies, of known chances {known_gain(share.value, share.chance):.2f}")
+            print(f"  clogs within {last}: chance {share.mean:.2f}, share of the variance between states {share.value:.2f} [{share.low:.2f}, {share.high:.2f}], "
+                  f"p = {share.p_value:.3f}; gain of branching {gain:.2f} with {best} copies, of known chances {known_gain(share.value, share.mean):.2f}")
     return curves
 
 
@@ -69,8 +94,11 @@ def write_page(reports):
     folder = reports / "bridging"
     lines = write_law(reports)
     print(f"law.csv: {len(lines)} rows, {sum(line['status'] == 'measured' for line in lines)} of them measured")
-    curve = steps.curve_of(sizes_of_base(reports), log_error, mean_of)
+    sizes_by_ratio = sizes_of_base(reports)
+    curve = steps.curve_of(sizes_by_ratio, log_error, mean_of)
     draw_law(lines, curve, folder / "law.png")
+    say_base(sizes_by_ratio)
+    say_interpolation(sizes_by_ratio)
     say_steps(curve)
     counts = arch_counts(folder / "arches.csv")
     draw_arches(counts, folder / "arches.png")

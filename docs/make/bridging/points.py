@@ -32,7 +32,26 @@ class Point:
         return [word for key, value in keys.items() for word in ("--set", f"{key}={value}")]
 
 
-FINE = (2.05, 2.2, 2.3, 2.4, 2.6, 2.7, 2.8, 2.9)
-AGAIN = (2.128, 2.5, 3.03)  # sizes of the campaign, for their arches
+FINE = (2.05, 2.2, 2.3, 2.4, 2.6, 2.7, 2.8, 2.9, 3.2)
+AGAIN = {47: ("101-104", 1.0), 40: ("101-103", 1.0), 33: ("101-103", 0.8)}  # um; sizes of the campaign, for their arches
+FEW, SMALL, LARGE = "1-5", NECK / 47, NECK / 40
+FACETED, SLIDING = (0.6, 0.1, 0.1), (0.6, 0, 0)
 
-POINTS = {f"size_{ratio:g}": Point(ratio, "1-10", 1.0) for ratio in FINE}
+POINTS = {
+    **{f"size_{ratio:g}": Point(ratio, "1-10" if ratio < 3 else "1-8", 1.1 if ratio < 2.5 else 1.0) for ratio in FINE},
+    **{f"again_{diameter}": Point(NECK / diameter, seeds, end, again=True) for diameter, (seeds, end) in AGAIN.items()},
+    **{f"angle_{angle}_{NECK / ratio:.0f}": Point(ratio, FEW, 1.0, angle=angle) for angle in (30, 45, 75) for ratio in (SMALL, LARGE)},
+    "weak_47": Point(SMALL, FEW, 1.0, FACETED),
+    "weak_40": Point(LARGE, FEW, 1.0, FACETED),
+    "sliding_47": Point(SMALL, FEW, 2.0, SLIDING),
+    **{f"fed_{share:g}": Point(SMALL, FEW, 1.0 if share == 0.3 else 2.0, concentration=share) for share in (0.1, 0.2, 0.3)},
+}
+
+# Diameter [um], seeds, end [s], then what the program committor takes: age, within, copies, push [d].
+COPIES = [
+    (40, (201,), 0.4, 0, 60, 5, 1e-6),
+    (40, (201,), 0.4, 0, 60, 6, 1e-3),
+    (40, (201, 202), 0.6, 0, 60, 8, 1e-2),
+    (22, (201,), 0.25, 40, 60, 4, 1e-3),
+]
+COST = {2.5: (0.28, 0.24), 4.545: (4.2, 1.0)}  # core-seconds of a burst and of a copy

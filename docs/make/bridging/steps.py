@@ -1,11 +1,11 @@
-"""Are there steps in D/d? ln of the mean burst as a smooth curve, and with steps, between D/d = 2 and 3.2."""
+"""Are there steps in D/d? ln of the mean burst as a smooth curve, and with steps, between D/d = 2 and 3.6."""
 
 import math
 from dataclasses import dataclass
 
 import numpy as np
 
-RANGE = 2, 3.2
+RANGE = 2, 3.6
 DEGREE = 2  # of the smooth curve
 REPLICATES = 4000
 
