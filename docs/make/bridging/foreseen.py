@@ -97,13 +97,3 @@ def branching_gain(share, cost_of_state, cost_of_copy):
 
     best = min(range(1, 201), key=price)
     return price(1) / price(best), best
-
-
-def known_gain(share, chance):
-    """Upper bound of the gain of putting the copies where they tell most, if the chance of every state were known free of
-    charge: p (1 - p) over the square of the mean of sqrt(q (1 - q)), q of a beta distribution with this share."""
-    if not 0 < share < 1:
-        return 1.0
-    strength = 1 / share - 1
-    q = np.random.default_rng(1).beta(chance * strength, (1 - chance) * strength, 200000)
-    return chance * (1 - chance) / np.mean(np.sqrt(q * (1 - q))) ** 2

@@ -6,23 +6,31 @@ import numpy as np
 import steps
 from bursts import log_error, mean_of
 from figures import draw_arches, draw_copies, draw_law
-from foreseen import branching_gain, foreseen, known_gain, read_copies, sizes, still_alike, window
+from foreseen import branching_gain, foreseen, read_copies, sizes, still_alike, window
 from law import sizes_of_base, write_law
 from points import COST, POINTS
 
 COUNTS = ("seen from the outlet", "centred before the opening", "foremost layer", "shortest chain")
 
 
-def say_steps(curve):
-    misfit, p = steps.p_of_misfit(curve)
-    print(f"smooth curve of degree {steps.DEGREE} through {len(curve.logs)} points: chi squared {misfit:.1f} with "
-          f"{steps.degrees_of_freedom(curve)} degrees of freedom, p = {p:.3f}")
-    place, height, gain, p, tries = steps.best_step(curve)
-    print(f"best of {tries} single steps: at D/d = {place:.2f}, {100 * np.expm1(height):+.0f} %, chi squared better by {gain:.1f}, p = {p:.2f} among {tries}")
-    for name, places in steps.NAMED.items():
-        height, error, p = steps.named_steps(curve, places)
-        low, high = np.expm1(height - 1.96 * error), np.expm1(height + 1.96 * error)
-        print(f"steps where {name}: {100 * np.expm1(height):+.0f} % [{100 * low:+.0f}, {100 * high:+.0f}] each, p = {p:.2f} (one of {len(steps.NAMED)} tests)")
+def say_steps(sizes):
+    for degree in (1, 2, 3, 4):
+        curve = steps.curve_of(sizes, degree)
+        misfit, p = steps.p_of_misfit(curve)
+        print(f"smooth curve of degree {degree} through {len(curve.logs)} points: chi squared {misfit:.1f} with "
+              f"{steps.degrees_of_freedom(curve)} degrees of freedom, p = {p:.4f}")
+    for degree in (steps.DEGREE, steps.DEGREE + 1):
+        curve = steps.curve_of(sizes, degree)
+        place, height, gain, p, tries = steps.best_step(curve)
+        print(f"degree {degree}, best of {tries} single steps: at D/d = {place:.2f}, {100 * np.expm1(height):+.0f} %, chi squared better by {gain:.1f}, "
+              f"p = {p:.4f} among {tries}")
+        for name, places in steps.NAMED.items():
+            height, error, p = steps.named_steps(curve, places)
+            low, high = np.expm1(height - 1.96 * error), np.expm1(height + 1.96 * error)
+            print(f"  steps where {name}: {100 * np.expm1(height):+.0f} % [{100 * low:+.0f}, {100 * high:+.0f}] each, p = {p:.4f} (one of {len(steps.NAMED)})")
+    print("\n| from D/d | to | slope of ln of the mean |\n| --- | --- | --- |")
+    for low, high, slope, error in steps.slopes(curve):
+        print(f"| {low:.3g} | {high:.3g} | {slope:.2f} [{slope - 1.96 * error:.2f}, {slope + 1.96 * error:.2f}] |")
 
 
 def say_interpolation(sizes):
@@ -86,7 +94,7 @@ def say_copies(sets):
                 continue
             gain, best = branching_gain(share.value, *COST[ratio])
             print(f"  clogs within {last}: chance {share.mean:.2f}, share of the variance between states {share.value:.2f} [{share.low:.2f}, {share.high:.2f}], "
-                  f"p = {share.p_value:.3f}; gain of branching {gain:.2f} with {best} copies, of known chances {known_gain(share.value, share.mean):.2f}")
+                  f"p = {share.p_value:.3f}; gain of branching {gain:.2f} with {best} copies")
     return curves
 
 
@@ -95,11 +103,10 @@ def write_page(reports):
     lines = write_law(reports)
     print(f"law.csv: {len(lines)} rows, {sum(line['status'] == 'measured' for line in lines)} of them measured")
     sizes_by_ratio = sizes_of_base(reports)
-    curve = steps.curve_of(sizes_by_ratio, log_error, mean_of)
-    draw_law(lines, curve, folder / "law.png")
+    draw_law(lines, steps.curve_of(sizes_by_ratio), folder / "law.png")
     say_base(sizes_by_ratio)
     say_interpolation(sizes_by_ratio)
-    say_steps(curve)
+    say_steps(sizes_by_ratio)
     counts = arch_counts(folder / "arches.csv")
     draw_arches(counts, folder / "arches.png")
     say_arches(counts)

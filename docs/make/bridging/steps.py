@@ -4,9 +4,10 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
+from bursts import log_error, mean_of
 
 RANGE = 2, 3.6
-DEGREE = 2  # of the smooth curve
+DEGREE = 3  # of the smooth curve that steps are added to
 REPLICATES = 4000
 
 
@@ -15,11 +16,12 @@ class Curve:
     ratios: np.ndarray
     logs: np.ndarray
     errors: np.ndarray
+    degree: int = DEGREE
 
     def columns(self, *more):
         """Of the polynomial and of what is fitted beside it, over the errors."""
         x = self.ratios - np.mean(RANGE)
-        return np.column_stack([x**k for k in range(DEGREE + 1)] + list(more)) / self.errors[:, None]
+        return np.column_stack([x**k for k in range(self.degree + 1)] + list(more)) / self.errors[:, None]
 
     def fit(self, *more, logs=None):
         """Coefficients, the last of them those of `more`; logs are ours, or rows of others."""
@@ -40,13 +42,20 @@ class Curve:
         return self.smooth() + self.errors * random.standard_normal((REPLICATES, len(self.logs)))
 
 
-def curve_of(sizes, log_error, mean_of):
+def curve_of(sizes, degree=DEGREE):
     rows = [(ratio, math.log(mean_of(fair)[0]), log_error(fair)) for ratio, fair in sizes.items() if RANGE[0] <= ratio <= RANGE[1]]
-    return Curve(*np.array(sorted(rows)).T)
+    return Curve(*np.array(sorted(rows)).T, degree)
+
+
+def slopes(curve):
+    """Of ln of the mean between neighbours: from, to, slope and its standard error."""
+    x, y, e = curve.ratios, curve.logs, curve.errors
+    gap = np.diff(x)
+    return zip(x, x[1:], np.diff(y) / gap, np.hypot(e[1:], e[:-1]) / gap)
 
 
 def degrees_of_freedom(curve):
-    return len(curve.logs) - DEGREE - 1
+    return len(curve.logs) - curve.degree - 1
 
 
 def p_of_misfit(curve):
