@@ -73,6 +73,17 @@ def say_arches(counts):
         print(f"| {ratio:.3g} | {len(counts[COUNTS[0]][ratio])} | " + " | ".join(cells) + f" | {ratio**2 + 1:.1f} |")
 
 
+def say_line(counts):
+    """Each count over all clogs as a line in (D/d)^2; clogs resampled."""
+    random = np.random.default_rng(1)
+    for name in COUNTS:
+        x = np.concatenate([np.full(len(sizes), ratio**2) for ratio, sizes in counts[name].items()])
+        y = np.concatenate(list(counts[name].values()))
+        fits = [np.polyfit(x[k], y[k], 1) for k in random.integers(0, len(x), (1000, len(x)))]
+        (slope, offset), (low, high) = np.polyfit(x, y, 1), np.quantile(fits, (0.025, 0.975), axis=0)
+        print(f"{name}: {slope:.2f} [{low[0]:.2f}, {high[0]:.2f}] (D/d)^2 {offset:+.1f} [{low[1]:+.1f}, {high[1]:+.1f}]")
+
+
 def say_copies(sets):
     curves = {}
     for (ratio, push, age), states in sorted(sets.items()):
@@ -89,9 +100,9 @@ def say_copies(sets):
         mean = np.mean([r[0] for rows in states.values() for r in rows])
         for last in sorted({max(1, round(mean * f)) for f in (0.25, 0.5, 1, 2)}):
             groups = window(states, 0, last)
-            share = foreseen(groups)
-            if not 0 < share.mean < 1:
+            if not 0 < np.mean(np.concatenate(groups)) < 1:
                 continue
+            share = foreseen(groups)
             gain, best = branching_gain(share.value, *COST[ratio])
             print(f"  clogs within {last}: chance {share.mean:.2f}, share of the variance between states {share.value:.2f} [{share.low:.2f}, {share.high:.2f}], "
                   f"p = {share.p_value:.3f}; gain of branching {gain:.2f} with {best} copies")
@@ -110,5 +121,6 @@ def write_page(reports):
     counts = arch_counts(folder / "arches.csv")
     draw_arches(counts, folder / "arches.png")
     say_arches(counts)
+    say_line(counts)
     if (folder / "committor.csv").exists():
         draw_copies(say_copies(read_copies(folder / "committor.csv")), folder / "copies.png")
