@@ -20,11 +20,11 @@ def draw_law(lines, curve, file):
         label = ", ".join(f"{f:g}" for f in friction) + ("" if line["half angle [deg]"] == 60 else f"; {line['half angle [deg]']:g} deg")
         label += "" if line["concentration fed [1]"] == "dense" else f"; fed {line['concentration fed [1]']:g}"
         style = styles.setdefault(label, {"color": f"C{len(styles) % 10}", "marker": "osD^v<>pPX"[len(styles) // 10 % 10]})
+        first = label if label not in left.get_legend_handles_labels()[1] else None
         if mean == "":
-            left.plot(line["D/d [1]"], low, **{**style, "marker": "$\\uparrow$"}, ms=9, ls="")
+            left.plot(line["D/d [1]"], low, "^", color=style["color"], mfc="none", ms=7, label=first)
             continue
-        first = label not in left.get_legend_handles_labels()[1]
-        left.errorbar(line["D/d [1]"], mean, [[mean - low], [high - mean]], **style, ms=4, ls="", lw=1, label=label if first else None)
+        left.errorbar(line["D/d [1]"], mean, [[mean - low], [high - mean]], **style, ms=4, ls="", lw=1, label=first)
     left.set(yscale="log", xlabel="D/d", ylabel="particles until the clog")
     left.legend(fontsize=5.5, title="friction", title_fontsize=6, ncols=2)
     rest = 100 * (np.exp(curve.logs - curve.smooth()) - 1)
@@ -62,7 +62,7 @@ def draw_copies(curves, file):
     figure, axes = plt.subplots(figsize=(5.5, 3.6), constrained_layout=True)
     for label, (lags, shares) in curves.items():
         axes.plot(lags, shares, "o-", ms=3, lw=1, label=label)
-    axes.set(xlabel="particles passed since the push", ylabel="copies with the same passages in the same order", ylim=(-0.02, 1.04))
+    axes.set(xlabel="particles passed since the push", ylabel="share of copies still like the run", ylim=(-0.02, 1.04))
     axes.legend(fontsize=7)
     figure.savefig(file, dpi=130)
     plt.close(figure)

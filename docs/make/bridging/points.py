@@ -38,7 +38,7 @@ FEW, SMALL, LARGE = "1-5", NECK / 47, NECK / 40
 FACETED, SLIDING = (0.6, 0.1, 0.1), (0.6, 0, 0)
 
 POINTS = {
-    **{f"size_{ratio:g}": Point(ratio, "1-10" if ratio < 3 else "1-8", 1.1 if ratio < 2.5 else 1.0) for ratio in FINE},
+    **{f"size_{ratio:g}": Point(ratio, "1-10" if ratio < 3 else "1-5", 1.1 if ratio < 2.5 else 1.0) for ratio in FINE},
     **{f"again_{diameter}": Point(NECK / diameter, seeds, end, again=True) for diameter, (seeds, end) in AGAIN.items()},
     **{f"angle_{angle}_{NECK / ratio:.0f}": Point(ratio, FEW, 1.0, angle=angle) for angle in (30, 45, 75) for ratio in (SMALL, LARGE)},
     "weak_47": Point(SMALL, FEW, 1.0, FACETED),
