@@ -6,7 +6,7 @@ import numpy as np
 import steps
 from bursts import log_error, mean_of
 from figures import draw_arches, draw_copies, draw_law
-from foreseen import branching_gain, foreseen, read_copies, sizes, still_alike, window
+from foreseen import WITHIN, branching_gain, foreseen, read_copies, sizes, still_alike, window
 from law import sizes_of_base, write_law
 from points import COST, POINTS
 
@@ -98,7 +98,7 @@ def say_copies(sets):
             print(f"  particles until the clog, {share.states} states: mean {share.mean:.1f}, share of the variance between states {share.value:.3f} "
                   f"[{share.low:.3f}, {share.high:.3f}]; standard deviation within a state {np.sqrt(np.mean([np.var(s, ddof=1) for s in left])):.2f}")
         mean = np.mean([r[0] for rows in states.values() for r in rows])
-        for last in sorted({max(1, round(mean * f)) for f in (0.25, 0.5, 1, 2)}):
+        for last in sorted({min(WITHIN, max(1, round(mean * f))) for f in (0.5, 1, 2)}):
             groups = window(states, 0, last)
             if not 0 < np.mean(np.concatenate(groups)) < 1:
                 continue
