@@ -38,8 +38,13 @@ def own_rows(folder):
     with (folder / "points.csv").open(newline="") as table:
         more = {r["point"]: {"packing near the neck": float(r["packing near the neck [1]"]), "rate while flowing": float(r["rate while flowing [1/s]"])}
                 for r in csv.DictReader(table)}
-    return [measured(row("law", POINTS[name].ratio, POINTS[name].friction, POINTS[name].angle, POINTS[name].concentration), fair, more[name])
-            for name, fair in read_sizes(folder / "bursts.csv").items() if not POINTS[name].again]
+    lines = []
+    for name, fair in read_sizes(folder / "bursts.csv").items():
+        point = POINTS[name]
+        if not point.again:
+            what = "law, first clogs from an empty channel" if point.empty else "law"
+            lines.append(measured(row(what, point.ratio, point.friction, point.angle, point.concentration), fair, more[name]))
+    return lines
 
 
 def campaign_sizes(folder):

@@ -17,34 +17,37 @@ class Point:
     angle: float = 60  # half angle of the narrowing [degrees]
     concentration: float = 0  # share of particles in what flows in; 0: as many as fit
     again: bool = False  # a size of the campaign, run for its arches alone
+    empty: bool = False  # the suspension comes into an empty channel, and the run ends with its first clog
 
     def is_base(self):
-        return (self.friction, self.angle, self.concentration) == (FULL, 60, 0)
+        return (self.friction, self.angle, self.empty) == (FULL, 60, False)
 
     def overrides(self):
         """Keys of the command line, in which a point differs from the scene."""
         sliding, rolling, torsion = self.friction
         keys = {"ensemble.sweep": "[]", "particles.diameter": f"{NECK / self.ratio:.5g} um", "time.end": f"{self.end:g} s",
                 "contact.friction.sliding": sliding, "contact.friction.rolling": rolling, "contact.friction.torsion": torsion,
-                "geometry.half_angle": f"{self.angle:g} deg", "inlet.concentration": self.concentration,
+                "geometry.half_angle": f"{self.angle:g} deg",
                 # A clog is at rest for some 30 ms before the column goes back: one snapshot at least shows it.
                 "output.snapshot_interval": "20 ms", "output.contacts": "true", "output.series_interval": "10 ms"}
+        if self.empty:  # the only start that knows a concentration
+            keys |= {"inlet.start": "empty", "inlet.concentration": self.concentration, "unclog.protocol": "stop"}
         return [word for key, value in keys.items() for word in ("--set", f"{key}={value}")]
 
 
 FINE = (2.05, 2.2, 2.3, 2.4, 2.6, 2.7, 2.8, 2.9, 3.2)
 AGAIN = {47: ("101-104", 1.0), 40: ("101-103", 1.0), 33: ("101-103", 0.8)}  # um; sizes of the campaign, for their arches
-FEW, SMALL, LARGE = "1-5", NECK / 47, NECK / 40
-FACETED, SLIDING = (0.6, 0.1, 0.1), (0.6, 0, 0)
+FEW, SMALL, LARGE = "1-4", NECK / 47, NECK / 40
+WEAK, SLIDING = (0.6, 0.1, 0.1), (0.6, 0, 0)
 
 POINTS = {
-    **{f"size_{ratio:g}": Point(ratio, "1-10" if ratio < 3 else "1-5", 1.1 if ratio < 2.5 else 1.0) for ratio in FINE},
+    **{f"size_{ratio:g}": Point(ratio, "1-10", 1.1 if ratio < 2.5 else 1.0) for ratio in FINE},
     **{f"again_{diameter}": Point(NECK / diameter, seeds, end, again=True) for diameter, (seeds, end) in AGAIN.items()},
-    **{f"angle_{angle}_{NECK / ratio:.0f}": Point(ratio, FEW, 1.0, angle=angle) for angle in (30, 45, 75) for ratio in (SMALL, LARGE)},
-    "weak_47": Point(SMALL, FEW, 1.0, FACETED),
-    "weak_40": Point(LARGE, FEW, 1.0, FACETED),
-    "sliding_47": Point(SMALL, FEW, 2.0, SLIDING),
-    **{f"fed_{share:g}": Point(SMALL, FEW, 1.0 if share == 0.3 else 2.0, concentration=share) for share in (0.1, 0.2, 0.3)},
+    **{f"angle_{angle}_47": Point(SMALL, FEW, 1.0, angle=angle) for angle in (30, 75)},
+    **{f"angle_{angle}_40": Point(LARGE, FEW, 0.8, angle=angle) for angle in (30, 75)},
+    "weak_47": Point(SMALL, FEW, 1.0, WEAK),
+    "sliding_47": Point(SMALL, "1-3", 2.0, SLIDING),
+    **{f"fed_{share:g}": Point(SMALL, "1-30", 1.0, concentration=share, empty=True) for share in (0, 0.1, 0.2, 0.3)},
 }
 
 # Diameter [um], seeds, end [s], then what the program committor takes: age, within, copies, push [d].
@@ -53,5 +56,7 @@ COPIES = [
     (40, (201,), 0.4, 0, 60, 6, 1e-3),
     (40, (201, 202), 0.6, 0, 60, 8, 1e-2),
     (22, (201,), 0.25, 40, 60, 4, 1e-3),
+    (22, (201,), 0.2, 40, 60, 4, 1e-2),
+    (22, (202, 203), 0.3, 100, 60, 3, 1e-3),
 ]
-COST = {2.5: (0.28, 0.24), 4.545: (4.2, 1.0)}  # core-seconds of a burst and of a copy
+COST = {2.5: (0.28, 0.24), 4.545: (4.2, 1.5)}  # core-seconds of a burst and of a copy
