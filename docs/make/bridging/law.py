@@ -9,6 +9,7 @@ from points import FULL, POINTS
 UNITS = {"D/d": "1", "half angle": "deg", "sliding friction": "1", "rolling friction": "1", "torsion friction": "1", "concentration fed": "1",
          "packing near the neck": "1", "bursts": "1", "particles passed": "1", "mean burst": "1", "mean burst low": "1", "mean burst high": "1",
          "hazard per particle": "1", "hazard low": "1", "hazard high": "1", "share of empty bursts": "1", "rate while flowing": "1/s"}
+LONGER = [point.ratio for point in POINTS.values() if point.is_base() and not point.again]
 HEAD = [f"{name} [{unit}]" for name, unit in UNITS.items()] + ["status", "from"]
 
 
@@ -33,22 +34,31 @@ def measured(line, fair, more):
     return line
 
 
+def bounded(line, bursts, cut):
+    """A line of bursts of which some were cut before they clogged: a lower bound."""
+    if cut:
+        fill(line, {"mean burst": "", "mean burst high": "", "hazard low": "", "hazard per particle": (bursts - cut) / line["particles passed [1]"]})
+        line["status"] = f"lower bound: {bursts - cut} of {bursts} clogged"
+    return line
+
+
 def own_rows(folder):
     """Of the runs made for the law."""
     with (folder / "points.csv").open(newline="") as table:
-        more = {r["point"]: {"packing near the neck": float(r["packing near the neck [1]"]), "rate while flowing": float(r["rate while flowing [1/s]"])}
-                for r in csv.DictReader(table)}
+        known = {r["point"]: r for r in csv.DictReader(table)}
     lines = []
     for name, fair in read_sizes(folder / "bursts.csv").items():
         point = POINTS[name]
         if not point.again:
             what = "law, first clogs from an empty channel" if point.empty else "law"
-            lines.append(measured(row(what, point.ratio, point.friction, point.angle, point.concentration), fair, more[name]))
+            more = {key: float(known[name][f"{key} [{UNITS[key]}]"]) for key in ("packing near the neck", "rate while flowing")}
+            line = measured(row(what, point.ratio, point.friction, point.angle, point.concentration), fair, more)
+            lines.append(bounded(line, line["bursts [1]"], int(known[name]["cut [1]"])))
     return lines
 
 
 def campaign_sizes(folder):
-    """D/d -> seed -> sizes, of docs/reports/results."""
+    """D/d -> seed -> sizes, of docs/reports/results; but for sizes that were run for longer."""
     with (folder / "points.csv").open(newline="") as table:
         points = {r["group"]: r for r in csv.DictReader(table)}
     bursts = {}
@@ -56,7 +66,7 @@ def campaign_sizes(folder):
         for r in csv.DictReader(table):
             bursts.setdefault(r["group"], []).append(r)
     return {float(points[group]["D/d [1]"]): fair_sizes(rows, float(points[group]["simulated time [s]"]) / float(points[group]["runs"]))
-            for group, rows in bursts.items()}
+            for group, rows in bursts.items() if not any(abs(ratio - float(points[group]["D/d [1]"])) < 1e-3 for ratio in LONGER)}
 
 
 def campaign_rows(folder):

@@ -89,7 +89,7 @@ def say_copies(sets):
     for (ratio, push, age), states in sorted(sets.items()):
         lags = range(max(r[0] for rows in states.values() for r in rows) + 1)
         shares = still_alike(states, lags)
-        curves[f"D/d = {ratio:.4g}, push {push:g} d"] = list(lags), shares
+        curves[f"D/d = {ratio:.4g}, push {push:g} d, age {age}"] = list(lags), shares
         apart = next((lag for lag, share in zip(lags, shares) if share < 0.5), None)
         print(f"\nD/d = {ratio:.4g}, push {push:g} d, age {age}, {len(states)} states: half of the copies are no longer alike after {apart} passages")
         split = sum(len({clogged for _, clogged, _ in rows}) > 1 for rows in states.values())

@@ -35,18 +35,16 @@ class Point:
         return [word for key, value in keys.items() for word in ("--set", f"{key}={value}")]
 
 
-FINE = (2.05, 2.2, 2.3, 2.4, 2.6, 2.7, 2.8, 2.9, 3.2)
-AGAIN = {47: ("101-104", 1.0), 40: ("101-103", 1.0), 33: ("101-103", 0.8)}  # um; sizes of the campaign, for their arches
-FEW, SMALL, LARGE = "1-4", NECK / 47, NECK / 40
-WEAK, SLIDING = (0.6, 0.1, 0.1), (0.6, 0, 0)
+FINE = (2.05, 2.2, 2.3, 2.4, 2.6, 2.7, 2.9)
+FEW, SMALL = "1-4", NECK / 47
+WEAK = (0.6, 0.1, 0.1)
 
 POINTS = {
-    **{f"size_{ratio:g}": Point(ratio, "1-10", 1.1 if ratio < 2.5 else 1.0) for ratio in FINE},
-    **{f"again_{diameter}": Point(NECK / diameter, seeds, end, again=True) for diameter, (seeds, end) in AGAIN.items()},
+    **{f"size_{ratio:g}": Point(ratio, "1-5" if ratio == 2.6 else "1-10", 1.1 if ratio < 2.5 else 1.0) for ratio in FINE},
+    "longer_28": Point(NECK / 28, "1-15", 3.2),  # in the place of the campaign's two seeds
+    "again_33": Point(NECK / 33, "101-102", 0.4, again=True),
     **{f"angle_{angle}_47": Point(SMALL, FEW, 1.0, angle=angle) for angle in (30, 75)},
-    **{f"angle_{angle}_40": Point(LARGE, FEW, 0.8, angle=angle) for angle in (30, 75)},
     "weak_47": Point(SMALL, FEW, 1.0, WEAK),
-    "sliding_47": Point(SMALL, "1-3", 2.0, SLIDING),
     **{f"fed_{share:g}": Point(SMALL, "1-30", 1.0, concentration=share, empty=True) for share in (0, 0.1, 0.2, 0.3)},
 }
 
