@@ -28,7 +28,7 @@ def measured(line, fair, more):
     mean, low, high = mean_of(fair)
     sizes = [s for seed in fair.values() for s in seed]
     line = fill(line, {"bursts": len(sizes), "particles passed": sum(sizes), "mean burst": mean, "mean burst low": low, "mean burst high": high,
-                       "hazard per particle": 1 / mean if mean else "", "hazard low": 1 / high if high else "", "hazard high": 1 / low if low else "",
+                       **({"hazard per particle": 1 / mean, "hazard low": 1 / high, "hazard high": 1 / low} if low >= 1 else {}),
                        "share of empty bursts": sizes.count(0) / len(sizes), **more})
     line["status"] = "measured" if mean else "stands"
     return line
