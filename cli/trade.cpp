@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct TradeOptions {
-  fs::path scene, flow, out;
+  fs::path scene, flow, out, step_from;
   std::string budget = "10 min";
   std::vector<fs::path> combine;
   std::vector<std::string> settings;
@@ -43,6 +43,7 @@ void combine_studies(const TradeOptions& options) {
 void run_on(const TradeOptions& options, Ranks& ranks) {
   trade::Study study{options.scene, options.overrides, nullptr, options.out, budget_seconds(options.budget),
                      &stop_asked,   options.settings};
+  if (!options.step_from.empty()) study.step_slopes = trade::read_step_slopes(options.step_from);
   FlowGrid flow;
   ranks.together([&] {
     if (ranks.is_first() && !options.flow.empty()) flow = read_flow_grid(options.flow);
@@ -81,6 +82,8 @@ void add_trade(CLI::App& app) {
       ->capture_default_str();
   verb->add_option("--combine", options->combine, "trade.json of several studies: the presets of all");
   verb->add_option("--settings", options->settings, "run these settings only, by name; all that ran are evaluated");
+  verb->add_option("--step-from", options->step_from,
+                   "trade.json of another diameter, whose response to the step counts as a measurement here");
   verb->add_option("--set", options->overrides, "key=value: overrides the scene")->allow_extra_args(false);
   verb->callback([options] { run(*options); });
 }

@@ -92,7 +92,7 @@ FlowGrid coarsened(const FlowGrid& fine, int factor) {
 std::vector<Setting> more_settings() {
   std::vector<Setting> more;
   const auto add = [&](const std::string& name, const Overrides& overrides) {
-    more.push_back({name, "", "", Kind::numerics, overrides});
+    more.push_back({name, "", "", Kind::dose, overrides});
   };
   for (const double fraction : {0.01, 0.005, 0.002})
     add(fmt::format("tau{:.0f}", 1 / fraction), {fmt::format("time.step_fraction={}", fraction)});
@@ -114,7 +114,7 @@ std::vector<ShortRun> short_runs(const Study& study) {
                                                fmt::format("time.end={} s", 0.1 * base.stokes_time())});
     return scene_of(own, setting);
   };
-  const Outcome reference = move(scene_for({"", "", "", Kind::numerics, {"time.step_fraction=0.004"}}), study.flow);
+  const Outcome reference = move(scene_for({"", "", "", Kind::dose, {"time.step_fraction=0.004"}}), study.flow);
   std::vector<ShortRun> runs;
   const auto add = [&](const std::string& name, const Setting& setting, const FlowGrid* flow) {
     ShortRun run;
@@ -134,7 +134,7 @@ std::vector<ShortRun> short_runs(const Study& study) {
     if (!study.flow) break;
     const FlowGrid coarse = coarsened(*study.flow, factor);
     add(fmt::format("grid x {}", factor), {}, &coarse);
-    add(fmt::format("grid x {}, trilinear", factor), {"", "", "", Kind::numerics, {"flow.lookup=trilinear"}}, &coarse);
+    add(fmt::format("grid x {}, trilinear", factor), {"", "", "", Kind::dose, {"flow.lookup=trilinear"}}, &coarse);
   }
   return runs;
 }

@@ -47,9 +47,9 @@ ResolvedScene read_resolved_scene(const std::filesystem::path& file, const Overr
   const Measured& setting = chosen(scene, file.string());
   Overrides all = setting.overrides;
   const std::string note = fmt::format(
-      "fidelity: setting {}, {:.3g} times cheaper than the reference; errors seen {:.2g} %, and up to {:.2g} % "
-      "could hide in the intervals{}: {}",
-      setting.name, setting.gain, 100 * setting.error, 100 * setting.hidden,
+      "fidelity: setting {}, {:.3g} times cheaper than the reference, within {:.2g} % of it in all that was "
+      "compared{}: {}",
+      setting.name, setting.gain, 100 * setting.within,
       scene.drag.law == "hoef" ? "" : " (measured with drag.law = \"hoef\")", fmt::join(all, " "));
   all.insert(all.end(), overrides.begin(), overrides.end());
   scene = read_scene(file, all);

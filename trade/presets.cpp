@@ -11,7 +11,7 @@ namespace clogflow::trade {
 
 namespace {
 
-constexpr double standard_tolerance = 0.05, fast_tolerance = 0.10;
+constexpr double standard_within = 0.05, fast_within = 0.10;
 
 auto named(const StudySummary& study, const std::string& name) {
   return std::ranges::find(study.settings, name, [](const Seen& seen) { return seen.measured.name; });
@@ -24,16 +24,22 @@ std::optional<Measured> everywhere(const Measured& first, const std::vector<Stud
     const auto seen = named(study, first.name);
     // What is dearer than the best that this study could afford is judged by the others.
     if (seen < named(study, study.reference)) continue;
-    if (seen == study.settings.end() || !seen->is_judged || !seen->is_numerics ||
-        seen->measured.overrides != first.overrides)
-      return {};
+    if (seen == study.settings.end() || !seen->is_judged || seen->measured.overrides != first.overrides) return {};
     const Measured& here = seen->measured;
     if (study.reference == studies[0].reference) all.gain = std::min(all.gain, here.gain);
-    all.error = std::max(all.error, here.error);
-    all.hidden = std::max(all.hidden, here.hidden);
+    all.within = std::max(all.within, here.within);
     all.step_over_limit = std::max(all.step_over_limit, here.step_over_limit);
   }
   return all.gain < std::numeric_limits<double>::infinity() ? std::optional(all) : std::nullopt;
+}
+
+/// Of those far enough from the limit of their contacts; nullptr without any.
+const Measured* cheapest(const std::vector<Measured>& settings, double tolerance) {
+  const Measured* best = nullptr;
+  for (const Measured& setting : settings)
+    if (setting.within <= tolerance && setting.step_over_limit <= near_limit && (!best || setting.gain > best->gain))
+      best = &setting;
+  return best;
 }
 
 }  // namespace
@@ -44,17 +50,14 @@ MeasuredSettings combine(const std::vector<StudySummary>& studies) {
   for (const Seen& first : studies.at(0).settings)
     if (const auto measured = everywhere(first.measured, studies)) result.settings.push_back(*measured);
   if (result.settings.empty()) return result;
-  result.presets = {{"reference", result.settings[0].name},
-                    {"standard", cheapest_within(result.settings, standard_tolerance).name},
-                    {"fast", cheapest_within(result.settings, fast_tolerance).name}};
+  result.presets["reference"] = result.settings[0].name;
+  for (const auto& [preset, tolerance] : {std::pair{"standard", standard_within}, {"fast", fast_within}})
+    if (const Measured* chosen = cheapest(result.settings, tolerance)) result.presets[preset] = chosen->name;
   return result;
 }
 
 const Measured& cheapest_within(const std::vector<Measured>& settings, double tolerance) {
-  const Measured* best = nullptr;
-  for (const Measured& setting : settings)
-    if (setting.error <= tolerance && setting.step_over_limit <= near_limit && (!best || setting.gain > best->gain))
-      best = &setting;
+  const Measured* best = cheapest(settings, tolerance);
   require(best != nullptr, "no setting was measured to be within {}", tolerance);
   return *best;
 }

@@ -5,56 +5,74 @@
 
 #include <fmt/format.h>
 
+#include "coupling/base/require.hpp"
+
 namespace clogflow::trade {
 
 namespace {
 
-double bursts(const Sample& sample) {
-  double count = 0;
-  for (const Piece& piece : sample.pieces) count += piece.totals.bursts;
-  return count;
-}
+using Samples = std::map<std::string, Sample>;
 
-Differences differences(const Sample& reference, const Sample& sample) {
-  Differences all;
-  for (const Observable& observable : observables()) all[observable.key] = compare(observable, reference, sample);
+/// What a study of this scene compares.
+std::vector<Observable> compared(const Scene& scene) {
+  std::vector<Observable> all = observables();
+  if (scene.unclog.protocol != UnclogProtocol::none)
+    std::erase_if(all, [](const Observable& o) { return o.needs_whole_arrests; });
   return all;
 }
 
-/// Releases, and the stop at a clog, cut the arrests short: what is left of them says more about the protocol than the
-/// clogs.
-bool cut_by_protocol(const std::string& key) {
-  return key == "alpha" || key == "share_censored" || key == "share_permanent";
-}
-
-/// Largest difference that is real, and the far end of the widest interval.
-void judge(SettingResult& outcome, const Scene& scene) {
-  const bool cuts = scene.unclog.protocol != UnclogProtocol::none;
-  outcome.is_judged = true;
-  for (const auto& [key, d] : outcome.differences) {
-    if (!std::isfinite(d.low) || (cuts && cut_by_protocol(key))) continue;
-    if (d.real()) outcome.error = std::max(outcome.error, std::abs(d.difference));
-    outcome.hidden = std::max({outcome.hidden, std::abs(d.low), std::abs(d.high)});
-  }
+Differences differences(const Scene& scene, const Sample& reference, const Sample& sample) {
+  Differences all;
+  for (const Observable& observable : compared(scene)) all[observable.key] = compare(observable, reference, sample);
+  return all;
 }
 
 Cost cost_of(const Sample& sample) {
   return {.runs = sample.runs,
-          .bursts = bursts(sample),
+          .clogs = sample.clogs(),
           .simulated = sample.simulated,
-          .particle_steps = sample.particle_steps / sample.simulated,
-          .step_over_limit = sample.step_over_limit,
-          .seconds = sample.wall_seconds / sample.simulated};
+          .seconds = sample.processor_seconds / sample.clogs(),
+          .particle_steps = sample.particle_steps / sample.clogs(),
+          .step_over_limit = sample.largest_step,
+          .mean_step = sample.mean_step};
 }
 
-bool competes(const SettingResult& outcome) { return outcome.is_judged && outcome.setting.kind == Kind::numerics; }
+bool is_dose(const SettingResult& one) {
+  return one.setting.kind == Kind::dose && one.cost && one.cost->clogs >= least_clogs;
+}
+
+Doses doses_in(const Study& study, const SettingResult& one) {
+  return doses_of(scene_of(study, one.setting), one.cost->mean_step);
+}
+
+/// One response an observable, through all doses that ran, and what each of these is by it.
+void add_responses(StudyResults& results, const Study& study, const Scene& base, const Samples& samples) {
+  const double usual = usual_burst(samples.at(results.reference));
+  for (const Observable& observable : compared(base)) {
+    std::vector<Answer> answers;
+    for (const SettingResult& one : results.settings)
+      if (is_dose(one))
+        answers.push_back({doses_in(study, one), spread_of(observable, samples.at(one.setting.name), usual)});
+    const auto step = study.step_slopes.find(observable.key);
+    results.responses[observable.key] = fit_response(
+        answers, observable.is_share, step == study.step_slopes.end() ? std::nullopt : std::optional(step->second));
+  }
+  for (SettingResult& one : results.settings) {
+    if (!is_dose(one)) continue;
+    one.within = 0;
+    for (const Observable& observable : compared(base)) {
+      const Difference d = results.responses.at(observable.key).from_paper(doses_in(study, one), observable.is_share);
+      one.from_paper[observable.key] = d;
+      one.within = std::max(*one.within, d.within());
+    }
+  }
+}
 
 void mark_front(std::vector<SettingResult>& settings) {
   for (SettingResult& one : settings)
-    one.on_front =
-        competes(one) && std::ranges::none_of(settings, [&](const SettingResult& other) {
-          return competes(other) && other.cost->particle_steps < one.cost->particle_steps && other.error <= one.error;
-        });
+    one.on_front = one.within && std::ranges::none_of(settings, [&](const SettingResult& other) {
+                     return other.within && other.cost->seconds < one.cost->seconds && *other.within <= *one.within;
+                   });
 }
 
 }  // namespace
@@ -62,7 +80,7 @@ void mark_front(std::vector<SettingResult>& settings) {
 StudyResults study_results(const Study& study) {
   const Scene base = read_scene(study.scene_file, study.overrides);
   StudyResults results{.scene = effective_scene(base), .diameter = base.particles.diameter};
-  std::map<std::string, Sample> samples;
+  Samples samples;
   for (const Setting& setting : settings_for(base)) {
     SettingResult& outcome = results.settings.emplace_back(SettingResult{.setting = setting});
     const Sample sample = samples[setting.name] = read_sample(folder_of(study, setting));
@@ -70,17 +88,27 @@ StudyResults study_results(const Study& study) {
       outcome.refused = refusal_of(study, setting);
       continue;
     }
-    if (results.reference.empty() && setting.kind == Kind::numerics) results.reference = setting.name;
-    const Sample& reference = samples[results.reference];
+    if (results.reference.empty() && setting.kind == Kind::dose) results.reference = setting.name;
     outcome.cost = cost_of(sample);
-    outcome.gain = reference.particle_steps / reference.simulated / outcome.cost->particle_steps;
-    outcome.differences = differences(reference, sample);
-    if (const auto against = samples.find(setting.against); against != samples.end() && against->second.runs)
-      outcome.against = differences(against->second, sample);
-    if (bursts(sample) >= least_bursts && bursts(reference) >= least_bursts) judge(outcome, base);
+    if (results.reference.empty()) continue;
+    const Sample& reference = samples[results.reference];
+    outcome.gain = cost_of(reference).seconds / outcome.cost->seconds;
+    outcome.differences = differences(base, reference, sample);
+  }
+  for (SettingResult& outcome : results.settings)
+    if (const auto against = samples.find(outcome.setting.against);
+        outcome.cost && against != samples.end() && against->second.runs)
+      outcome.against = differences(base, against->second, samples.at(outcome.setting.name));
+  if (!results.reference.empty()) {
+    try {
+      add_responses(results, study, base, samples);
+    } catch (const Error& error) {
+      results.responses.clear();
+      results.no_response = error.what();
+    }
+    results.short_runs = short_runs(study);
   }
   mark_front(results.settings);
-  if (!results.reference.empty()) results.short_runs = short_runs(study);
   results.presets = combine({summary_of(results)}).presets;
   return results;
 }
@@ -91,29 +119,28 @@ StudySummary summary_of(const StudyResults& results) {
     summary.settings.push_back({.measured = {.name = o.setting.name,
                                              .overrides = o.setting.overrides,
                                              .gain = o.gain,
-                                             .error = o.error,
-                                             .hidden = o.hidden,
+                                             .within = o.within.value_or(0),
                                              .step_over_limit = o.cost ? o.cost->step_over_limit : 0},
-                                .is_numerics = o.setting.kind == Kind::numerics,
-                                .is_judged = o.is_judged});
+                                .is_judged = o.within.has_value()});
   return summary;
 }
 
 std::string table(const StudyResults& results) {
-  std::string text = fmt::format("{:<26} {:>5} {:>7} {:>10} {:>7} {:>8} {:>8}  {}\n", "setting", "runs", "bursts",
-                                 "cost", "gain", "error", "hidden", "");
+  std::string text = fmt::format("{:<26} {:>5} {:>7} {:>10} {:>7} {:>8}  {}\n", "setting", "runs", "clogs", "s a clog",
+                                 "gain", "within", "");
   for (const SettingResult& o : results.settings) {
     if (!o.refused.empty()) {
       text += fmt::format("{:<26} refused: {}\n", o.setting.name, o.refused);
     } else if (!o.cost) {
       text += fmt::format("{:<26} not run\n", o.setting.name);
     } else {
-      const auto number = [&](double value) { return o.is_judged ? fmt::format("{:.3f}", value) : "too few"; };
-      text += fmt::format("{:<26} {:>5} {:>7} {:>10.3g} {:>7.2f} {:>8} {:>8}  {}\n", o.setting.name, o.cost->runs,
-                          o.cost->bursts, o.cost->particle_steps, o.gain, number(o.error), number(o.hidden),
+      const auto number = [](double value) { return std::isfinite(value) ? fmt::format("{:.3g}", value) : "-"; };
+      text += fmt::format("{:<26} {:>5} {:>7} {:>10} {:>7} {:>8}  {}\n", o.setting.name, o.cost->runs, o.cost->clogs,
+                          number(o.cost->seconds), number(o.gain), o.within ? fmt::format("{:.3f}", *o.within) : "-",
                           o.on_front ? "front" : "");
     }
   }
+  if (!results.no_response.empty()) text += "no response: " + results.no_response + "\n";
   for (const auto& [preset, name] : results.presets) text += fmt::format("{} = {}\n", preset, name);
   return text;
 }

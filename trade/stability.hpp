@@ -1,10 +1,8 @@
 // Points far beyond the paper, each run to a verdict: is the predicted step safe, and is it tight?
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "coupling/scene/scene.hpp"
+#include "trade/step_trials.hpp"
 
 namespace clogflow {
 
@@ -24,25 +22,13 @@ struct ExtremePoint {
   Integrator integrator;
 };
 
-/// Points spread evenly over the logarithms of the axes (multiples of roots of primes).
-std::vector<ExtremePoint> extreme_points(int count);
+/// Spread evenly over the logarithms of the axes (multiples of roots of primes). \param number  from 1 on
+ExtremePoint extreme_point(int number);
 
-enum class Verdict { accurate, inaccurate, refused, unstable };
-std::string name(Verdict verdict);
-
-struct StabilityResult {
-  ExtremePoint point;
-  Verdict verdict;       ///< at the point's own step
-  std::string reason;    ///< of a refusal
-  double step = 0;       ///< the point's own [s]
-  double expected = 0;   ///< limit from the scene alone [s]
-  double predicted = 0;  ///< of the column's contacts, at rest if it came to rest [s]; 0: not run
-  bool at_rest = false;  ///< and stays there if pushed, with a small step
-  double measured = 0;   ///< largest step with which a small push dies out [s]; 0: not at rest
-  bool capped = false;   ///< nothing shook at the largest step tried
-};
+/// Its scene, without particles. \param step  0: not known yet [s]
+Scene extreme_scene(const ExtremePoint& point, double step);
 
 /// Refuses, or measures. A bounded number of steps; throws nothing.
-StabilityResult measure(const ExtremePoint& point);
+StepVerdict measure(const ExtremePoint& point);
 
 }  // namespace clogflow

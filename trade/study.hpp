@@ -11,6 +11,7 @@
 #include "ensemble/ranks.hpp"
 #include "ensemble/seed_run.hpp"
 #include "trade/knobs.hpp"
+#include "trade/response.hpp"
 
 namespace clogflow::trade {
 
@@ -21,7 +22,8 @@ struct Study {
   std::filesystem::path directory;
   double budget = 0;  ///< of wall-clock time [s]
   const std::atomic<bool>* stop = nullptr;
-  std::vector<std::string> only = {};  ///< names of the settings to run; empty: all
+  std::vector<std::string> only = {};                  ///< names of the settings to run; empty: all
+  std::map<std::string, KnownSlope> step_slopes = {};  ///< by observable: the response to the step in another study
 };
 
 /// Scene of one setting. \throws Error

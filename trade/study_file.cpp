@@ -30,27 +30,44 @@ json json_of(const Differences& differences) {
   return all;
 }
 
+json json_of(const Responses& responses) {
+  json all(json::value_t::object);
+  for (const auto& [key, r] : responses) {
+    json& entry = all[key] = {
+        {"chi_squared", r.chi_squared}, {"degrees_of_freedom", r.degrees_of_freedom}, {"p_value", r.p_value}};
+    for (std::size_t k = 0; k < dose_names.size(); ++k)
+      entry[dose_names[k]] = {{"slope", r.slope[k]},
+                              {"error", r.error[k]},
+                              {"low", r.slope[k] - r.quantile * r.error[k]},
+                              {"high", r.slope[k] + r.quantile * r.error[k]}};
+  }
+  return all;
+}
+
 void add_runs(json& entry, const SettingResult& o) {
   entry["runs"] = o.cost->runs;
-  entry["bursts"] = o.cost->bursts;
+  entry["clogs"] = o.cost->clogs;
   entry["simulated_s"] = o.cost->simulated;
-  entry["cost"] = o.cost->particle_steps;
+  entry["seconds_per_clog"] = number(o.cost->seconds);
+  entry["particle_steps_per_clog"] = number(o.cost->particle_steps);
   entry["step_over_limit"] = o.cost->step_over_limit;
-  entry["seconds_per_simulated_s"] = o.cost->seconds;
-  entry["gain"] = o.gain;
+  entry["gain"] = number(o.gain);
   entry["differences"] = json_of(o.differences);
   if (!o.against.empty()) entry["against_differences"] = json_of(o.against);
-  if (!o.is_judged) return;
-  entry["error"] = o.error;
-  entry["hidden"] = o.hidden;
-  if (o.setting.kind == Kind::numerics) entry["front"] = o.on_front;
+  if (!o.within) return;
+  for (const auto& [key, d] : o.from_paper)
+    entry["from_paper"][key] = {{"difference", d.difference}, {"low", d.low}, {"high", d.high}};
+  entry["within"] = *o.within;
+  entry["front"] = o.on_front;
 }
+
+const char* word(Kind kind) { return kind == Kind::dose ? "dose" : kind == Kind::numerics ? "numerics" : "physics"; }
 
 json json_of(const SettingResult& o) {
   json entry{{"name", o.setting.name},
              {"knob", o.setting.knob},
              {"against", o.setting.against},
-             {"kind", o.setting.kind == Kind::numerics ? "numerics" : "physics"},
+             {"kind", word(o.setting.kind)},
              {"overrides", o.setting.overrides}};
   if (o.cost)
     add_runs(entry, o);
@@ -74,14 +91,14 @@ bool has_text(const json& object, const char* key) { return object.contains(key)
 
 bool is_setting(const json& setting) {
   if (!setting.is_object() || !has_text(setting, "name")) return false;
-  if (!setting.contains("error")) return true;  // it was not run, or cannot be judged
-  return has_text(setting, "kind") && setting.contains("overrides") &&
-         std::ranges::all_of(std::array{"gain", "error", "hidden", "step_over_limit"},
+  if (!setting.contains("within")) return true;  // it was not run, or cannot be judged
+  return setting.contains("overrides") &&
+         std::ranges::all_of(std::array{"gain", "within", "step_over_limit"},
                              [&](const char* key) { return has_number(setting, key); });
 }
 
 bool is_study(const json& study) {
-  return study.is_object() && has_text(study, "format") && study["format"] == "clogflow trade 1" &&
+  return study.is_object() && has_text(study, "format") && study["format"] == "clogflow trade 2" &&
          has_number(study, "diameter") && has_text(study, "reference") && study.contains("settings") &&
          study["settings"].is_array() && std::ranges::all_of(study["settings"], is_setting);
 }
@@ -90,23 +107,24 @@ Measured measured_of(const json& entry) {
   return {.name = entry["name"],
           .overrides = entry.value("overrides", Overrides{}),
           .gain = entry["gain"],
-          .error = entry["error"],
-          .hidden = entry["hidden"],
+          .within = entry["within"],
           .step_over_limit = entry["step_over_limit"]};
 }
 
 Seen seen_of(const json& entry) {
-  if (!entry.contains("error"))
+  if (!entry.contains("within"))
     return {.measured = {.name = entry["name"], .overrides = entry.value("overrides", Overrides{})}};
-  return {.measured = measured_of(entry), .is_numerics = entry["kind"] == "numerics", .is_judged = true};
+  return {.measured = measured_of(entry), .is_judged = true};
 }
 
 }  // namespace
 
 std::string study_text(const StudyResults& results) {
-  json file{{"format", "clogflow trade 1"},   {"scene", results.scene},    {"diameter", results.diameter},
+  json file{{"format", "clogflow trade 2"},   {"scene", results.scene},    {"diameter", results.diameter},
             {"reference", results.reference}, {"settings", json::array()}, {"presets", json(json::value_t::object)}};
   for (const Observable& o : observables()) file["observables"][o.key] = o.meaning;
+  file["responses"] = json_of(results.responses);
+  if (!results.no_response.empty()) file["no_response"] = results.no_response;
   for (const SettingResult& outcome : results.settings) file["settings"].push_back(json_of(outcome));
   if (!results.reference.empty()) file["short"] = json::array();
   for (const ShortRun& run : results.short_runs) file["short"].push_back(json_of(run));
@@ -122,16 +140,30 @@ StudySummary read_study(const std::filesystem::path& file) {
   return summary;
 }
 
+std::map<std::string, KnownSlope> read_step_slopes(const std::filesystem::path& file) {
+  const json study = parse_json(read_text_file(file));
+  require(is_study(study), "{}: not a trade.json of clog trade, or damaged", file.string());
+  std::map<std::string, KnownSlope> slopes;
+  const json responses = study.value("responses", json::object());
+  for (const auto& [key, response] : responses.items()) {
+    const json step = response.is_object() ? response.value("step", json::object()) : json::object();
+    require(step.is_object() && has_number(step, "slope") && has_number(step, "error") && step["error"] > 0,
+            "{}: not a trade.json of clog trade, or damaged", file.string());
+    slopes[key] = {step["slope"], step["error"]};
+  }
+  require(!slopes.empty(), "{}: this study found no response to the step (too few settings ran)", file.string());
+  return slopes;
+}
+
 std::string measured_text(const MeasuredSettings& measured) {
-  json file{{"format", "clogflow measured 1"}, {"settings", json::array()}, {"presets", measured.presets}};
+  json file{{"format", "clogflow measured 2"}, {"settings", json::array()}, {"presets", measured.presets}};
   for (const StudySummary& study : measured.studies)
     file["studies"].push_back({{"diameter", study.diameter}, {"reference", study.reference}});
   for (const Measured& m : measured.settings)
     file["settings"].push_back({{"name", m.name},
                                 {"overrides", m.overrides},
                                 {"gain", m.gain},
-                                {"error", m.error},
-                                {"hidden", m.hidden},
+                                {"within", m.within},
                                 {"step_over_limit", m.step_over_limit}});
   return file.dump(1) + "\n";
 }

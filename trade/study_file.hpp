@@ -14,6 +14,9 @@ std::string study_text(const StudyResults& results);
 /// trade.json, read back for --combine. \throws Error naming the file, unless it holds what `combine` asks of a study
 StudySummary read_study(const std::filesystem::path& file);
 
+/// By observable: the response to the step in a trade.json. \throws Error naming the file, unless it has one
+std::map<std::string, KnownSlope> read_step_slopes(const std::filesystem::path& file);
+
 /// measured.json of several studies together.
 std::string measured_text(const MeasuredSettings& measured);
 

@@ -29,7 +29,8 @@ struct RunRecord {
   std::optional<std::string> inputs_hash;          ///< of flow, walls and initial particles
   std::optional<std::string> step_limits;          ///< the step over each of its limits, as expected at the start
   std::optional<std::string> experiment;           ///< what was computed wrongly on purpose
-  std::optional<double> wall_time;                 ///< computing time [s]
+  std::optional<double> wall_time;                 ///< computing time of the wall clock [s]
+  std::optional<double> processor_time;            ///< the same, of the processor [s]
   std::optional<double> particle_steps;            ///< sum of the particles over the steps [-]
   std::optional<double> particle_steps_per_s;      ///< [1/s]
   std::optional<double> time_step;                 ///< [s]
@@ -61,6 +62,7 @@ struct RunRecord {
                       RecordEntry{"step_limits", "", &R::step_limits},
                       RecordEntry{"experiment", "", &R::experiment},
                       RecordEntry{"wall_time_s", "s", &R::wall_time},
+                      RecordEntry{"processor_time_s", "s", &R::processor_time},
                       RecordEntry{"particle_steps", "1", &R::particle_steps},
                       RecordEntry{"particle_steps_per_s", "1/s", &R::particle_steps_per_s},
                       RecordEntry{"time_step_s", "s", &R::time_step},

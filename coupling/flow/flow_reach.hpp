@@ -14,7 +14,7 @@ namespace clogflow {
 ///   slowest symmetric mode, cos(2 pi y / W) exp(-2 pi |x| / W); its amplitude is taken to be the mean velocity.
 /// \param tolerance  largest difference from the duct profile, over the mean velocity of the channel [-], > 0
 /// \return [m]
-/// \source Hele-Shaw flow is a potential flow; compared with solved fields in tests/pipeline and docs/reports/trade.md
+/// \source Hele-Shaw flow is a potential flow; compared with solved fields in tests/pipeline and docs/reports/flow.md
 double expected_reach(const Scene& scene, double tolerance);
 
 /// The same distance as the grid has it: upstream of it no point of the fluid differs by more than the

@@ -8,7 +8,7 @@ namespace clogflow {
 inline constexpr double lattice_instructions = 377;
 
 /// An instruction in a pack of the channel takes so much longer than one in the lattice, which has no walls and lies in
-/// memory in order: from processor times of both, in turn, at five scenes (docs/reports/trade.md). [-]
+/// memory in order: from processor times of both, in turn, at five scenes (docs/reports/performance.md). [-]
 inline constexpr double pack_slowness = 1.4;
 
 /// Instructions per second of one core in this program's own loops, for a pack of a channel: a lattice of 512 touching

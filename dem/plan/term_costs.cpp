@@ -8,7 +8,7 @@ namespace clogflow {
 namespace {
 
 /// Of renewing and sorting the lists, per particle and unit of v dt / d: from processor times at steps that differ
-/// sevenfold (docs/reports/trade.md); nothing else in a run grows with the step.
+/// sevenfold (docs/reports/performance.md); nothing else in a run grows with the step.
 constexpr double instructions_per_diameter = 4e5;
 
 }  // namespace

@@ -16,7 +16,7 @@ struct TermCost {
 /// Terms that the scene has and that cost something, and "everything else" (contacts with their sliding
 /// friction, walls, integration). Counted in the pack of the paper's channel at 33 um, AVX2; packs of other
 /// diameters have about as many contacts and films per particle.
-/// \source tests/benchmarks/term_costs; the table is in docs/reports/trade.md
+/// \source tests/benchmarks/term_costs; the table is in docs/reports/performance.md
 std::vector<TermCost> term_costs(const Scene& scene);
 
 /// All of them, and the renewal of the lists, which is the dearer the further particles go in one step.

@@ -12,7 +12,7 @@ namespace clogflow {
 
 namespace {
 
-constexpr std::string_view any_version = "clogflow state ", version = "clogflow state 7\n";
+constexpr std::string_view any_version = "clogflow state ", version = "clogflow state 8\n";
 constexpr std::size_t hash_size = 16;
 
 [[noreturn]] void refuse(const std::string& why) { throw StateRefused(why); }

@@ -8,6 +8,14 @@ namespace clogflow {
 
 namespace {
 
+/// Without the springs that the two surfaces of this contact do not have. \param second  0 for a wall
+ContactTerms terms_between(const ContactLaw& law, const ContactTerms& terms, int first, int second) {
+  if (!law.friction.of_species) return terms;
+  const auto between = law.friction.between(first, second);
+  return {terms.sliding && between.sliding > 0, terms.rolling && between.rolling > 0,
+          terms.torsion && between.torsion > 0};
+}
+
 void add_pairs(NetworkLimit& network, const RunState& state) {
   const auto& p = state.particles;
   const Laws& laws = state.model.laws;
@@ -15,9 +23,10 @@ void add_pairs(NetworkLimit& network, const RunState& state) {
     const PairPlace<double> place = pair_place(p, i, j);
     const double distance = place.distance();
     const double overlap = std::max(place.overlap(distance), -laws.pair.reach(place.effective_radius()));
-    network.add_contact(i, j,
-                        laws.pair.modes(laws.pair_terms, place.contact(1 / distance * place.apart, overlap,
-                                                                       reduced(p[i].mass, p[j].mass))));
+    network.add_contact(
+        i, j,
+        laws.pair.modes(terms_between(laws.pair, laws.pair_terms, p.species[i], p.species[j]),
+                        place.contact(1 / distance * place.apart, overlap, reduced(p[i].mass, p[j].mass))));
   });
 }
 
@@ -28,7 +37,8 @@ void add_walls(NetworkLimit& network, const RunState& state) {
     const int i = touch.particle;
     const double overlap = std::max(touch.overlap, -laws.contact.reach(p[i].radius));
     network.add_contact(i, -1,
-                        laws.contact.modes(laws.terms, wall_contact(touch.normal, overlap, p[i].radius, p[i].mass)));
+                        laws.contact.modes(terms_between(laws.contact, laws.terms, p.species[i], 0),
+                                           wall_contact(touch.normal, overlap, p[i].radius, p[i].mass)));
   }
 }
 

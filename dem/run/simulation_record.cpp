@@ -15,7 +15,8 @@
 namespace clogflow {
 
 void Simulation::finish() {
-  const double seconds = state_.computing_time.lap();
+  state_.computing_time.lap();
+  const double seconds = state_.computing_time.seconds();
   const Inlet& inlet = state_.inlet;
   RunData& data = recorder_.data;
   char host[256] = "unknown";
@@ -28,6 +29,7 @@ void Simulation::finish() {
   r.instruction_set = kernels_.name;
   r.host = host;
   r.wall_time = seconds;
+  r.processor_time = state_.computing_time.processor_seconds();
   r.particle_steps = state_.particle_steps;
   r.particle_steps_per_s = seconds > 0 ? state_.particle_steps / seconds : 0;
   r.time_step = state_.clock.dt();

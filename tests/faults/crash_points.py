@@ -23,7 +23,7 @@ import h5py
 import crash_inputs
 from crash_verbs import VERBS
 
-NO_RESULT = ("wall_time_s", "particle_steps_per_s", "date", "host", "seconds", "started", "finished")
+NO_RESULT = ("wall_time_s", "processor_time_s", "particle_steps_per_s", "date", "host", "seconds", "started", "finished")
 LIMIT = 300  # [s] for one call; a second is usual
 
 

@@ -7,7 +7,7 @@ import h5py
 import numpy as np
 
 # What the clock, the machine or the build writes; none of it is a result. The state that a run ends with holds its seconds.
-ASIDE = {"wall_time_s", "particle_steps_per_s", "host", "date", "revision", "compiler", "program", "program_version",
+ASIDE = {"wall_time_s", "processor_time_s", "particle_steps_per_s", "host", "date", "revision", "compiler", "program", "program_version",
          "openfoam_log", "end_state", "inputs_hash", "flow_hash", "flow_file", "resumed", "hash"}
 
 

@@ -223,15 +223,3 @@ def clogs_above_three(campaign):
         return "-", ABSENT
     return ("bursts that a clog ended: " + listed(points, lambda p: p.trend["mean_burst"]["stops"]) +
             "; sliding friction is 0.6 here, and the authors of that experiment blame low friction"), DIFFERS
-
-
-TRENDS = [
-    ("<s> grows with D/d (Souzy & Marin 2022)", longer_flow),
-    ("no clog for D/d > 3 even at a packing of 60 % (Marin et al. 2018)", clogs_above_three),
-    ("the share of clogging states falls exponentially in (width)^dimension, without a sharp end (Thomas & Durian 2015)", exponential_mean),
-    ("alpha grows with D/d; it does not depend on the flow rate (Souzy & Marin 2022)", lambda c: ("not measurable with restarts; one flow rate only", OPEN)),
-]
-
-
-def trend_rows(campaign):
-    return [(claim, *judge(campaign)) for claim, judge in TRENDS]

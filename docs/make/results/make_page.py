@@ -4,10 +4,12 @@ import math
 import re
 import sys
 import tempfile
+import tomllib
 from pathlib import Path
 from string import Template
 
 import claims
+import trends as trends_of_experiments
 from campaign import Campaign, estimate, number, numerics, table
 
 import fig_bursts  # from postprocess/figures, which campaign.py put on the path
@@ -129,7 +131,7 @@ def rivals(fit):
 
 
 def draw_sweep(statistics):
-    figure, axes = plt.subplots(figsize=(style.COLUMN + 0.4, 2.9))
+    figure, axes = plt.subplots(figsize=(0.55 * style.PAGE, 2.9))
     fig_trend.draw_mean_burst(axes, statistics)
     return figure
 
@@ -153,25 +155,51 @@ def other_sweeps(campaign):
     return "## Other keys\n\n" + "".join(map(other_sweep, campaign.sweeps.values()))
 
 
-def other_numerics(campaign):
-    """<s> of the same sizes at other numerics, and the ratio with its interval (errors of both, in the logarithm)."""
-    text = ""
-    for other in campaign.others:
-        rows = []
-        for p in campaign.with_clogs():
-            o = next((o for o in other.with_clogs() if abs(o.ratio - p.ratio) < 0.01 * p.ratio), None)
-            if o is None:
-                continue
-            a, b = p.trend["mean_burst"], o.trend["mean_burst"]
-            ratio = b["value"] / a["value"]
+def flat(scene, prefix=""):
+    """Keys of a scene, each with the name of its section."""
+    entries = {}
+    for key, value in scene.items():
+        entries.update(flat(value, f"{prefix}{key}.") if isinstance(value, dict) else {prefix + key: value})
+    return entries
+
+
+# What differs from point to point of any campaign.
+POINTWISE = ("particles.diameter", "particles.roughness", "lubrication.cutoff", "time.end", "ensemble.seeds", "output.")
+
+
+def condition(here, there):
+    """The keys in which another campaign differs, in words."""
+    a, b = (flat(tomllib.loads(c.points[0].group["scene"])) for c in (here, there))
+    return ", ".join(f"`{key} = {b[key]}`" for key in sorted(b) if b[key] != a.get(key) and not key.startswith(POINTWISE))
+
+
+def beside(campaign, other):
+    """<s> of another campaign at the same sizes, and the ratio with its interval (errors of both, in the logarithm)."""
+    rows = []
+    for o in other.points:
+        p = next((p for p in campaign.points if abs(o.ratio - p.ratio) < 0.01 * p.ratio), None)
+        b = o.trend["mean_burst"]
+        ratio = "-"
+        if p is not None and b["value"] and p.trend["mean_burst"]["value"]:
+            a = p.trend["mean_burst"]
             spread = math.hypot(*(0.5 * math.log(m["high"] / m["low"]) for m in (a, b)))
-            rows.append([number(p.ratio), estimate(a), len(o.group["runs"]), f"{b['stops']} / {b['passages']}", estimate(b),
-                         f"{number(ratio)} [{number(ratio * math.exp(-spread))}, {number(ratio * math.exp(spread))}]"])
-        if not rows:
-            continue
-        head = ["D/d", "<s>", "seeds there", "clogs / passages there", "<s> there", "ratio"]
-        text += f"## At other numerics\n\nThere: {numerics(other.points[0].group)}.\n\n{table(head, rows)}\n\n"
-    return text
+            middle = b["value"] / a["value"]
+            ratio = f"{number(middle)} [{number(middle * math.exp(-spread))}, {number(middle * math.exp(spread))}]"
+        rows.append([number(o.ratio), len(o.group["runs"]), f"{b['stops']} / {b['passages']}", f"**{estimate(b)}**", ratio,
+                     estimate(o.quantity("flow_rate_flowing")), number(o.group["steady"]["packing_fraction"]["value"]), number(o.core_hours(), 2)])
+    return table(["D/d", "seeds", "clogs / passages", "<s>", "over that of the campaign", "passages per second of flow", "packing", "core-hours"], rows)
+
+
+def other_verdicts(campaign, other):
+    """The claims that are decided otherwise there."""
+    here = {claim: verdict for claim, _, verdict in claims.rows(campaign)}
+    rows = [row for row in claims.rows(other) if row[2] not in (claims.ABSENT, claims.OPEN, here[row[0]])]
+    return ("\n\nClaims that are decided otherwise there:\n\n" + table(["claim", "there", "agrees?"], rows)) if rows else ""
+
+
+def other_campaigns(campaign):
+    return "".join(f"## With {condition(campaign, other)}\n\n{beside(campaign, other)}\n\n{law(other.fit['mean_burst'])}{other_verdicts(campaign, other)}\n\n"
+                   for other in campaign.others)
 
 
 def missing(campaign):
@@ -205,8 +233,8 @@ def main():
     page = Template((HERE / "template.md.in").read_text(encoding="utf-8")).substitute(
         summary=summary(campaign), missing=missing(campaign), points=points(campaign), law=law(fit) + rivals(fit), memory=memory(campaign),
         rewind=rewind(campaign), order=order(campaign),
-        claims=table(head, claims.rows(campaign)), trends=table(head, claims.trend_rows(campaign)),
-        sweeps=other_numerics(campaign) + other_sweeps(campaign),
+        claims=table(head, claims.rows(campaign)), trends=table(head, trends_of_experiments.rows(campaign)),
+        sweeps=other_campaigns(campaign) + other_sweeps(campaign),
         numerics=numerics(campaign.points[0].group),
         arguments=" ".join(["campaign", *(["SWEEP ..."] if count > 1 else [])]), not_covered=not_covered(campaign))
     (REPORTS / "results.md").write_text(shown(page).rstrip("\n") + "\n", encoding="utf-8")

@@ -21,7 +21,7 @@ TEST(ReadableScene, SaysQuantitiesAsPeopleDo) {
 }
 
 TEST(ReadableScene, IsReadBackToTheSameScene) {
-  for (const char* name : {"paper.toml", "campaign.toml", "trade.toml", "pore.toml"}) {
+  for (const char* name : {"paper.toml", "campaign.toml", "pore.toml"}) {
     const std::string text = effective_scene(read_scene(source_folder() / "scenes" / name, {}));
     // The folder of the scene, from which files are found, is that of its name.
     const std::string again = (source_folder() / "scenes" / "again.toml").string();

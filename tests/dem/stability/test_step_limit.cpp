@@ -183,6 +183,35 @@ TEST(NetworkLimit, ExactKnowsDashpotsAndDrag) {
   }
 }
 
+/// Limit of a rough and a smooth sphere that touch and, of the rough one alone, the floor.
+double limit_of_species(double smooth_friction, double floor_friction) {
+  Scene s = pressed(1e-9);
+  s.particles.species = {{.diameter = 33e-6, .share = 0.5, .density = 1062},
+                         {.diameter = 33e-6, .share = 0.5, .density = 1062}};
+  const double smooth = smooth_friction, floor = floor_friction;
+  s.particles.species[0].friction = {0.6, 0.6, 0.6}, s.particles.species[0].wall_friction = {floor, floor, floor};
+  s.particles.species[1].friction = {smooth, smooth, smooth}, s.particles.species[1].wall_friction = {0, 0, 0};
+  Simulation run(s, nullptr, 1,
+                 {{.species = 0, .radius = 16.5e-6, .z = 16.49e-6}, {.species = 1, .radius = 16.5e-6, .z = 49.4e-6}});
+  run.fill({});
+  run.compute_forces();
+  return run.network().bound().step;
+}
+
+TEST(StepLimits, ContactsOfASmoothSpeciesHaveNoSpringsOfFriction) {
+  // Torsion at the floor limits where there is friction, else that between the two, else the normal springs.
+  const double all = limit_of_species(0.6, 0.6), between = limit_of_species(0.6, 0), none = limit_of_species(0, 0);
+  EXPECT_LT(1.05 * all, between);
+  EXPECT_LT(1.05 * between, none);
+  // 2 / omega of the faster mode of two masses on Hertz' tangents, their dashpots left out: these shorten it.
+  const double own = 3e6 / (2 * (1 - 0.35 * 0.35)), r = 16.5e-6, m = 1062 * 4 / 3 * M_PI * r * r * r;
+  const double floor = 2 * own * std::sqrt(r * 0.01e-6), pair = 2 * own * std::sqrt(r / 2 * 0.09e-6);
+  const double sum = (floor + 2 * pair) / m, square = floor * pair / (m * m);
+  const double undamped = 2 / std::sqrt(sum / 2 + std::sqrt(sum * sum / 4 - square));
+  EXPECT_LT(none, undamped);
+  EXPECT_GT(none, 0.6 * undamped);
+}
+
 /// A sphere squeezed by the six walls of a box that is too small for it: only its contacts know the limit.
 struct Deep {
   std::vector<Particle> sphere{{.radius = 16.5e-6}};

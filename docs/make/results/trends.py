@@ -1,0 +1,110 @@
+"""What experiments found, beside ours: rows as those of claims.py, from the campaign and from what other pages measured."""
+
+import csv
+
+from campaign import FIGURES, number
+from claims import ABSENT, AGREES, DIFFERS, OPEN, PARTLY, clogs_above_three, exponential_mean, longer_flow
+
+REPORTS = FIGURES.parents[1] / "docs" / "reports"
+
+
+def read(file):
+    path = REPORTS / file
+    if not path.exists():
+        return []
+    with open(path, encoding="utf-8", newline="") as stream:
+        return list(csv.DictReader(stream))
+
+
+def base_rows(**fixed):
+    """Measured rows of the bridging law with friction 0.6 three times, at 60 degrees and densely fed unless `fixed` says else."""
+    wanted = {"sliding friction [1]": "0.6", "rolling friction [1]": "0.6", "torsion friction [1]": "0.6", "half angle [deg]": "60", "concentration fed [1]": "dense"}
+    wanted.update(fixed)
+    return [r for r in read("bridging/law.csv")
+            if r["status"] == "measured" and r["from"] != "friction map" and all(v is None or r[k] == v for k, v in wanted.items())]
+
+
+def mean(row):
+    return f"{number(float(row['mean burst [1]']))} [{number(float(row['mean burst low [1]']))}, {number(float(row['mean burst high [1]']))}]"
+
+
+def along(key, order, name, falls):
+    """<s> along one axis of the bridging law at each size that has two rows and more; agrees if it falls (or rises) from end to end at all of them."""
+    by_size = {}
+    for row in base_rows(**{key: None}):
+        by_size.setdefault(row["D/d [1]"], []).append(row)
+    said, holds = [], []
+    for size, rows in sorted(by_size.items(), key=lambda item: float(item[0])):
+        rows.sort(key=lambda r: order(r[key]))
+        if len({r[key] for r in rows}) < 2:
+            continue
+        said.append(f"{number(float(size))}: " + ", ".join(f"{name(r[key])} {mean(r)}" for r in rows))
+        first, last = rows[0], rows[-1]
+        low, high = (last, first) if falls else (first, last)
+        holds.append(float(low["mean burst high [1]"]) < float(high["mean burst low [1]"]))
+    if not said:
+        return "-", ABSENT
+    return "<s> by D/d: " + "; ".join(said) + " ([bridging.md](bridging.md))", AGREES if all(holds) else PARTLY if any(holds) else DIFFERS
+
+
+def angle(_):
+    return along("half angle [deg]", float, lambda v: f"{v} degrees", falls=True)
+
+
+def concentration(_):
+    def solids(value):
+        return 1.0 if value == "dense" else float(value)
+    return along("concentration fed [1]", solids, str, falls=True)
+
+
+def pulsation(_):
+    rows = [r for r in read("arches/arrests.csv") if r["drive"].startswith("oscillation")]
+    if not rows:
+        return "-", ABSENT
+    by_amplitude = {}
+    for r in rows:
+        by_amplitude.setdefault(float(r["drive"].split()[1]), []).append(r)
+    said = "; ".join(f"{a:g}: " + ", ".join(number(float(r["passages_per_s"]), 2) for r in sorted(rows, key=lambda r: -float(r["drive_time [tau]"])))
+                     for a, rows in sorted(by_amplitude.items()))
+    periods = ", ".join(number(v, 2) for v in sorted({float(r["drive_time [tau]"]) for r in rows}, reverse=True))
+    without = [r for r in rows if float(r["drive"].split()[1]) <= 1]
+    passes = any(float(r["passages_per_s"]) > 0.1 * max(float(x["passages_per_s"]) for x in rows) for r in without)
+    return (f"passages per second at D/d = 2.13, by amplitude over the mean, at periods of {periods} tau: {said}. Up to an amplitude of 1 the flow never goes back, and without inertia only the clock of "
+            "such a flow differs from a steady one: its first clog is for good ([arches.md](arches.md#a-flow-that-goes-back))"), AGREES if passes else PARTLY
+
+
+def rate(_):
+    return ("alpha exists under noise only; <s> at D/d = 2.13 is 1.02 [0.91, 1.14] times as large at a tenth of the rate, 1.09 [0.97, 1.23] times at a hundredth; at ten times the rate softness and inertia show, "
+            "0.86 [0.77, 0.96] ([friction.md](friction.md#does-the-drag-matter-does-the-rate))"), PARTLY
+
+
+def bridges(_):
+    rows = read("bridging/arches.csv")
+    if not rows:
+        return "-", ABSENT
+    sizes = {}
+    for r in rows:
+        sizes.setdefault(float(r["D/d [1]"]), []).append(float(r["seen from the outlet [1]"]))
+    said, holds = [], []
+    for ratio, counts in sorted(sizes.items()):
+        least, middle = min(counts), sum(counts) / len(counts)
+        said.append(f"{number(ratio)}: {number(middle)} (least {least:.0f}; law {number(ratio ** 2 + 1)})")
+        holds.append(least >= ratio ** 2 + 1 - 1)
+    return "particles that bar the opening, seen from the outlet: " + "; ".join(said) + " ([bridging.md](bridging.md))", AGREES if all(holds) else PARTLY if any(holds) else DIFFERS
+
+
+TRENDS = [
+    ("<s> grows with D/d (Souzy & Marin 2022)", longer_flow),
+    ("no clog for D/d > 3 even at a packing of 60 % (Marin et al. 2018)", clogs_above_three),
+    ("the share of clogging states falls exponentially in (width)^dimension, without a sharp end (Thomas & Durian 2015)", exponential_mean),
+    ("alpha does not depend on the flow rate (Souzy & Marin 2022)", rate),
+    ("alpha grows with D/d (Souzy & Marin 2022)", lambda c: ("under a random drag of one strength it does, under a pulsation of the flow it does not ([arches.md](arches.md))", OPEN)),
+    ("fewer clogs at a smaller angle (Vani et al. 2024)", angle),
+    ("fewer particles pass at a higher concentration (Vani et al. 2024)", concentration),
+    ("a pulsation of 0.25 to 1.25 of the mean raises the throughput at every amplitude (Dincau et al.)", pulsation),
+    ("the smallest bridge has (D/d)^2 + 1 particles (Marin & Souzy 2025)", bridges),
+]
+
+
+def rows(campaign):
+    return [(claim, *judge(campaign)) for claim, judge in TRENDS]

@@ -1,0 +1,87 @@
+"""docs/reports/trade.md from the committed studies, on standard output. Called by docs/make/make_trade."""
+
+import json
+import math
+import re
+from string import Template
+
+from studies import ROOT, SHORT, Study, interval, short, table
+
+SIZES = ("d47", "d33", "d25")
+PRESETS = ("reference", "standard", "fast")
+OBSERVED = ("mean_burst", "early_clogs", "flow_rate_flowing", "packing_near_neck", "coordination")
+
+
+def named(key):
+    return SHORT[key] + (" (points)" if key in ("early_clogs", "share_censored") else "")
+
+
+def presets(studies, measured):
+    rows = []
+    for preset in PRESETS:
+        chosen = next(s for s in measured["settings"] if s["name"] == measured["presets"][preset])
+        here = [s.settings.get(chosen["name"]) for s in studies]
+        cost = ", ".join(short(s["seconds_per_clog"]) if s else "-" for s in here)
+        within = ", ".join(f"{100 * s['within']:.1f}" if s and "within" in s else "-" for s in here)
+        words = ", ".join(o.split(".", 1)[1].replace("_", " ").replace("=", " ") for o in chosen["overrides"])
+        rows.append([f"`{preset}` = {chosen['name']}", words, cost, short(chosen["gain"]), f"**{100 * chosen['within']:.1f} %** ({within})"])
+    sizes = ", ".join(f"{s.ratio:.3g}" for s in studies)
+    return table(["preset", "keys", f"core-seconds a clog at D/d = {sizes}", "gain at 2.13", "every number proved within (by size)"], rows)
+
+
+def responses(studies):
+    rows = []
+    for key in OBSERVED:
+        for study in studies:
+            r = study.data["responses"][key]
+            share = key == "early_clogs"
+            cells = []
+            for dose in ("softness", "mass", "step"):
+                shown = {k: v if share else math.expm1(v) for k, v in zip(("difference", "low", "high"), (r[dose]["slope"], r[dose]["low"], r[dose]["high"]))}
+                text = interval(shown, unit=False)
+                cells.append(f"**{text}**" if shown["low"] > 0 or shown["high"] < 0 else text)
+            rows.append([named(key), f"{study.ratio:.3g}", *cells, f"{r['chi_squared']:.2g} / {r['degrees_of_freedom']} (p = {r['p_value']:.2g})"])
+    return table(["", "D/d", "10 MPa", "mass x 30", "step at the limit", "chi squared / degrees of freedom"], rows)
+
+
+def doses(study):
+    rows = [[s["name"], s["runs"], f"{s['clogs']:.0f}", short(s["seconds_per_clog"]), *[interval(s["from_paper"][k], unit=False) for k in OBSERVED],
+             f"**{100 * s['within']:.1f}**"] for s in study.doses()]
+    return table(["setting", "seeds", "clogs", "s a clog", *map(named, OBSERVED), "within [%]"], rows)
+
+
+def against(study, kinds, observed=OBSERVED):
+    rows = []
+    for s in study.settings.values():
+        if s["kind"] not in kinds or "against_differences" not in s:
+            continue
+        cells = []
+        for key in observed:
+            d = s["against_differences"][key]
+            text = interval(d, unit=False)
+            cells.append(f"**{text}**" if d["real"] else text)
+        rows.append([s["name"], s["against"], f"{s['clogs']:.0f}", short(s["differences"]["mean_burst"]["value"] or math.nan), *cells])
+    return table(["setting", "against", "clogs", "`<s>`", *map(named, observed)], rows)
+
+
+def grids(study):
+    rows = [[r["name"], f"{100 * r['force']:.2g} %", f"{100 * r['path']:.2g} %"] for r in study.data["short"] if r["name"].startswith("grid")]
+    return table(["grid of the flow, 2 um times", "error of the forces", "of the way in tau/10"], rows)
+
+
+def main():
+    studies = [Study(name) for name in SIZES]
+    measured = json.loads((ROOT / "trade" / "measured.json").read_text(encoding="utf-8"))
+    spread = Study("s47")
+    template = (ROOT / "docs" / "make" / "trade" / "template.md.in").read_text(encoding="utf-8")
+    page = Template(template).substitute(
+        presets=presets(studies, measured), responses=responses(studies), doses="\n\n".join(f"D/d = {s.ratio:.3g}\n\n{doses(s)}" for s in studies),
+        direct="\n\n".join(f"D/d = {s.ratio:.3g}\n\n{against(s, ('dose',))}" for s in studies),
+        numerics=against(studies[0], ("numerics",)), physics=against(studies[0], ("physics",)), grids=grids(studies[0]),
+        spread=responses([spread]))
+    page = re.sub(r"`[^`]*`|<s>", lambda found: r"\<s>" if found[0] == "<s>" else found[0], page)
+    print(page.rstrip("\n"))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,59 @@
+// How an observable answers to the numerics: a first-order law through all settings of a study, which bounds the
+// difference of each from the particles that no run could afford.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "coupling/scene/scene.hpp"
+#include "trade/observables.hpp"
+
+namespace clogflow::trade {
+
+/// How far a setting is from hard particles without extra mass and an exact step; 1 for each is 10 MPa, mass x 30
+/// and a step at the limit of the contacts.
+struct Doses {
+  double softness = 0;  ///< overlap over diameter, as E^(-2/3) of Hertz' contacts [-]
+  double mass = 0;      ///< Stokes number: mass scale [-]
+  double step = 0;      ///< square of the step over the limit of the contacts: velocity-Verlet is of second order [-]
+};
+
+inline constexpr std::array<const char*, 3> dose_names{"softness", "mass", "step"};
+
+/// \param step_over_limit  as measured, mean over the runs
+Doses doses_of(const Scene& scene, double step_over_limit);
+
+/// What a response is fitted to.
+struct Answer {
+  Doses doses;
+  Spread spread;  ///< of the observable
+};
+
+/// ln(value) = c + sum_k a_k dose_k, or the value itself for a share: weighted least squares. Where the settings
+/// scatter beyond what their errors explain (p below 0.05), errors grow by the root of chi squared over its degrees of
+/// freedom f and intervals are Student's with f; else they are normal.
+struct Response {
+  std::array<double, 3> slope{};                    ///< a_k: change for a dose of 1 [-]
+  std::array<double, 3> error{};                    ///< standard error of a_k [-]
+  std::array<std::array<double, 3>, 3> variance{};  ///< of the a_k together [-]
+  double quantile = 0;                              ///< errors that make a 95 % interval [-]
+  double chi_squared = 0;
+  int degrees_of_freedom = 0;
+  double p_value = 1;  ///< that errors alone scatter the settings this far from the law
+
+  /// The difference of `doses` from the paper's particles (3 GPa, true mass, exact step), with its 95 % interval.
+  /// \param is_share  absolute, not relative
+  Difference from_paper(const Doses& doses, bool is_share) const;
+};
+
+/// A slope as another study found it.
+struct KnownSlope {
+  double value = 0, error = 0;
+};
+
+/// \param step  the response to the step in another study, a further measurement: it acts on contacts, whatever D/d
+/// \throws Error with fewer measurements than unknowns + 1, or if they do not tell the doses apart
+Response fit_response(const std::vector<Answer>& answers, bool is_share, const std::optional<KnownSlope>& step = {});
+
+}  // namespace clogflow::trade
