@@ -10,6 +10,7 @@ import h5py
 import numpy as np
 from arches import counts_of
 from bursts import fair_sizes, write_sizes
+from law import campaign_sizes
 from points import NECK, POINTS
 from stats_files import Statistics
 
@@ -62,5 +63,6 @@ def collect(program, folder, reports):
             for counts in counts_of(path, group["geometry"]):
                 arches.append([name, f"{NECK / 1e6 / group['geometry']['diameter']:.4g}", *counts])
     write_sizes(reports / "bursts.csv", sizes)
+    write_sizes(reports / "campaign.csv", campaign_sizes(reports.parent / "results"))
     put(reports / "points.csv", ["point", "packing near the neck [1]", "rate while flowing [1/s]", "cut [1]"], more)
     put(reports / "arches.csv", ["point", "D/d [1]", "seen from the outlet [1]", "centred before the opening [1]", "foremost layer [1]", "shortest chain [1]"], arches)

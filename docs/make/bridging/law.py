@@ -69,8 +69,13 @@ def campaign_sizes(folder):
             for group, rows in bursts.items() if not any(abs(ratio - float(points[group]["D/d [1]"])) < 1e-3 for ratio in LONGER)}
 
 
+def kept_sizes(folder):
+    """The same as it was when the tables were collected: the campaign may have grown since."""
+    return {float(ratio): fair for ratio, fair in read_sizes(folder / "campaign.csv").items()}
+
+
 def campaign_rows(folder):
-    return [measured(row("campaign", ratio), fair, {}) for ratio, fair in campaign_sizes(folder).items()]
+    return [measured(row("campaign", ratio), fair, {}) for ratio, fair in kept_sizes(folder).items()]
 
 
 def friction_rows(file):
@@ -102,7 +107,7 @@ def friction_rows(file):
 
 
 def write_law(reports):
-    lines = own_rows(reports / "bridging") + campaign_rows(reports / "results") + friction_rows(reports / "friction/map.csv")
+    lines = own_rows(reports / "bridging") + campaign_rows(reports / "bridging") + friction_rows(reports / "friction/map.csv")
     lines.sort(key=lambda r: (r[HEAD[1]], [-f for f in (r[HEAD[2]], r[HEAD[3]], r[HEAD[4]])], str(r[HEAD[5]]), r[HEAD[0]]))
     with (reports / "bridging/law.csv").open("w", newline="") as out:
         writer = csv.DictWriter(out, HEAD, restval="")
@@ -114,6 +119,6 @@ def write_law(reports):
 
 def sizes_of_base(reports):
     """D/d -> seed -> sizes at the base (friction 0.6 three times, 60 degrees, dense), campaign and law together."""
-    all_sizes = campaign_sizes(reports / "results")
+    all_sizes = kept_sizes(reports / "bridging")
     own = {POINTS[n].ratio: fair for n, fair in read_sizes(reports / "bridging/bursts.csv").items() if POINTS[n].is_base() and not POINTS[n].again}
     return dict(sorted({**all_sizes, **own}.items()))
