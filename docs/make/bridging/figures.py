@@ -1,0 +1,68 @@
+"""The figures of docs/reports/bridging.md."""
+
+import matplotlib
+import numpy as np
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+from steps import NAMED, RANGE  # noqa: E402
+
+
+def draw_law(lines, curve, file):
+    """Left: all of the table. Right: what a smooth curve leaves, and where steps were looked for."""
+    figure, (left, right) = plt.subplots(1, 2, figsize=(10, 4), constrained_layout=True)
+    styles = {}
+    for line in lines:
+        low, high, mean = (line.get(f"mean burst{end} [1]", "") for end in (" low", " high", ""))
+        if low in ("", 0) or line["D/d [1]"] < 1.7:
+            continue
+        friction = tuple(line[f"{k} friction [1]"] for k in ("sliding", "rolling", "torsion"))
+        label = ", ".join(f"{f:g}" for f in friction) + ("" if line["half angle [deg]"] == 60 else f"; {line['half angle [deg]']:g} deg")
+        label += "" if line["concentration fed [1]"] == "dense" else f"; fed {line['concentration fed [1]']:g}"
+        style = styles.setdefault(label, {"color": f"C{len(styles) % 10}", "marker": "osD^v<>pPX"[len(styles) // 10 % 10]})
+        first = label if label not in left.get_legend_handles_labels()[1] else None
+        if mean == "":
+            left.plot(line["D/d [1]"], low, "^", color=style["color"], mfc="none", ms=7, label=first)
+            continue
+        left.errorbar(line["D/d [1]"], mean, [[mean - low], [high - mean]], **style, ms=4, ls="", lw=1, label=first)
+    left.set(yscale="log", xlabel="D/d", ylabel="particles until the clog")
+    left.legend(fontsize=5.5, title="friction", title_fontsize=6, ncols=2)
+    rest = 100 * (np.exp(curve.logs - curve.smooth()) - 1)
+    right.errorbar(curve.ratios, rest, 196 * curve.errors, fmt="o", color="k", ms=4, capsize=2)
+    right.axhline(0, color="0.6", lw=0.8)
+    for k, (name, places) in enumerate(NAMED.items()):
+        for place in places:
+            if RANGE[0] < place < RANGE[1]:
+                right.axvline(place, color=f"C{k}", ls=(":", "--", "-.", "-")[k], lw=1, label=name if place == places[0] else None)
+    right.set(xlabel="D/d", ylabel="mean burst over the smooth curve - 1 (%)")
+    right.legend(fontsize=6)
+    figure.savefig(file, dpi=130)
+    plt.close(figure)
+
+
+def draw_arches(counts, file):
+    """\\param counts  name of the count -> D/d -> sizes of the clogs"""
+    figure, axes = plt.subplots(figsize=(5.5, 4), constrained_layout=True)
+    for k, (name, by_ratio) in enumerate(counts.items()):
+        ratios = np.array(sorted(by_ratio))
+        means = [np.mean(by_ratio[r]) for r in ratios]
+        spread = [np.std(by_ratio[r]) for r in ratios]
+        axes.errorbar(ratios + 0.012 * (k - 1), means, spread, fmt="osD^"[k], color=f"C{k}", ms=4, lw=0.8, label=name)
+    x = np.linspace(*axes.get_xlim())
+    axes.plot(x, x**2 + 1, "k-", lw=1, label="(D/d)$^2$ + 1")
+    axes.plot(x, x + 1, "k--", lw=1, label="D/d + 1")
+    axes.set(xlabel="D/d", ylabel="particles of a clog (mean, standard deviation)")
+    axes.legend(fontsize=7)
+    figure.savefig(file, dpi=130)
+    plt.close(figure)
+
+
+def draw_copies(curves, file):
+    """\\param curves  label -> (lags, share of the copies that are still like the run)"""
+    figure, axes = plt.subplots(figsize=(5.5, 3.6), constrained_layout=True)
+    for label, (lags, shares) in curves.items():
+        axes.plot(lags, shares, "o-", ms=3, lw=1, label=label)
+    axes.set(xlabel="particles passed since the push", ylabel="share of copies still like the run", ylim=(-0.02, 1.04))
+    axes.legend(fontsize=7)
+    figure.savefig(file, dpi=130)
+    plt.close(figure)
