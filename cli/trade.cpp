@@ -35,9 +35,9 @@ double budget_seconds(const std::string& text) {
 }
 
 void combine_studies(const TradeOptions& options) {
-  std::vector<trade::StudySummary> studies;
+  std::vector<trade::MeasuredStudy> studies;
   for (const fs::path& file : options.combine) studies.push_back(trade::read_study(file));
-  publish_file(trade::measured_text(trade::combine(studies)), options.out);
+  publish_file(trade::measured_text(studies), options.out);
 }
 
 void run_on(const TradeOptions& options, Ranks& ranks) {

@@ -2,14 +2,15 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "coupling/scene/scene.hpp"
 #include "trade/presets.hpp"
 
 namespace clogflow::trade {
 
-/// The measured settings that this program was built with: trade/measured.json.
-const MeasuredSettings& measured_settings();
+/// What this program was built with: trade/measured.json.
+const std::vector<MeasuredStudy>& measured_studies();
 
 struct ResolvedScene {
   Scene scene;       ///< its fidelity is empty: it has become keys
@@ -17,8 +18,9 @@ struct ResolvedScene {
 };
 
 /// Reads a scene; where it has a `fidelity`, the keys of the setting chosen replace those of the file, and
-/// those of the command line replace both.
-/// \throws Error as read_scene; if the preset is unknown, or both preset and tolerance are given
+/// those of the command line replace both. The preset "reference" is the first setting of the matrix.
+/// \throws Error as read_scene; if the preset is unknown, or both preset and tolerance are given, or nothing was
+/// measured to be within the tolerance
 ResolvedScene read_resolved_scene(const std::filesystem::path& file, const Overrides& overrides);
 
 }  // namespace clogflow::trade

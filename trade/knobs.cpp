@@ -29,15 +29,18 @@ void add_doses(std::vector<Setting>& all) {
   const auto add = [&](const char* name, const char* knob, const Overrides& more, const char* against = base_name) {
     all.push_back({name, knob, against, Kind::dose, base_with(more)});
   };
-  constexpr const char *share80 = "time.contact_limit_share=0.8", *tau50 = "time.step_fraction=0.02";
+  constexpr const char *share50 = "time.contact_limit_share=0.5", *share80 = "time.contact_limit_share=0.8",
+                       *tau50 = "time.step_fraction=0.02";
   add("gpa3", "the paper's particles",
       {"contact.youngs_modulus=3 GPa", "time.mass_scale=1", "time.rotational_inertia_scale=1", tau50}, "");
   add("3GPa_m30_limit70", "Young's modulus x 300", {"contact.youngs_modulus=3 GPa"});
+  add("100MPa_m30_limit50", "Young's modulus x 10 and step", {"contact.youngs_modulus=100 MPa", share50});
+  add("30MPa_m30_limit50", "Young's modulus x 3 and step", {"contact.youngs_modulus=30 MPa", share50});
   add("30MPa_m30_limit70", "Young's modulus x 3", {"contact.youngs_modulus=30 MPa"});
   add("10MPa_m1_limit70", "mass", {"time.mass_scale=1"});
   add("base_tau50", "step", {tau50});
   add(base_name, "Young's modulus, mass, moment of inertia and step", {}, "gpa3");
-  add("10MPa_m30_limit50", "step", {"time.contact_limit_share=0.5"});
+  add("10MPa_m30_limit50", "step", {share50});
   add("base_limit80", "step", {share80});
   add("10MPa_m100_limit70", "mass", {"time.mass_scale=100"});
   add("10MPa_m300_limit70", "mass", {"time.mass_scale=300"});

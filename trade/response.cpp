@@ -5,8 +5,6 @@
 
 #include <Eigen/Dense>
 #include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/normal.hpp>
-#include <boost/math/distributions/students_t.hpp>
 
 #include "coupling/base/require.hpp"
 
@@ -16,6 +14,7 @@ namespace {
 
 constexpr double reference_modulus = 10e6, reference_mass = 30;  // doses of 1
 constexpr double paper_modulus = 3e9;                            // [Pa]
+constexpr double to_95 = 1.96;                                   // standard errors that make a 95 % interval
 constexpr int unknowns = 4;                                      // the value without any dose, and a slope for each
 
 std::array<double, 3> in_order(const Doses& doses) { return {doses.softness, doses.mass, doses.step}; }
@@ -40,7 +39,7 @@ Difference Response::from_paper(const Doses& doses, bool is_share) const {
     for (int l = 0; l < 3; ++l) square += (here[k] - paper[k]) * variance[k][l] * (here[l] - paper[l]);
   }
   const auto shown = [&](double value) { return is_share ? value : std::expm1(value); };
-  const double reach = quantile * std::sqrt(square);
+  const double reach = to_95 * std::sqrt(square);
   return {.difference = shown(change), .low = shown(change - reach), .high = shown(change + reach)};
 }
 
@@ -75,13 +74,12 @@ Response fit_response(const std::vector<Answer>& answers, bool is_share, const s
   if (step) response.chi_squared += std::pow((law[3] - step->value) / step->error, 2);
   namespace bm = boost::math;
   response.p_value = bm::cdf(bm::complement(bm::chi_squared(f), response.chi_squared));
-  const bool scatters = response.p_value < 0.05;
-  const double excess = scatters ? response.chi_squared / f : 1;
-  response.quantile = scatters ? bm::quantile(bm::students_t(f), 0.975) : bm::quantile(bm::normal(), 0.975);
-  const Eigen::Matrix4d variance = excess * solver.inverse();
+  const Eigen::Matrix4d variance = std::max(1.0, response.chi_squared / f) * solver.inverse();
   for (int k = 0; k < 3; ++k) {
     response.slope[k] = law[k + 1];
     response.error[k] = std::sqrt(variance(k + 1, k + 1));
+    response.low[k] = response.slope[k] - to_95 * response.error[k];
+    response.high[k] = response.slope[k] + to_95 * response.error[k];
     for (int l = 0; l < 3; ++l) response.variance[k][l] = variance(k + 1, l + 1);
   }
   return response;

@@ -31,13 +31,13 @@ struct Answer {
 };
 
 /// ln(value) = c + sum_k a_k dose_k, or the value itself for a share: weighted least squares. Where the settings
-/// scatter beyond what their errors explain (p below 0.05), errors grow by the root of chi squared over its degrees of
-/// freedom f and intervals are Student's with f; else they are normal.
+/// scatter beyond their errors, these grow by the root of chi squared over its degrees of freedom. \source Particle
+/// Data Group, Review of Particle Physics, introduction 5.2.2 (scale factor)
 struct Response {
   std::array<double, 3> slope{};                    ///< a_k: change for a dose of 1 [-]
   std::array<double, 3> error{};                    ///< standard error of a_k [-]
+  std::array<double, 3> low{}, high{};              ///< 95 % interval of a_k [-]
   std::array<std::array<double, 3>, 3> variance{};  ///< of the a_k together [-]
-  double quantile = 0;                              ///< errors that make a 95 % interval [-]
   double chi_squared = 0;
   int degrees_of_freedom = 0;
   double p_value = 1;  ///< that errors alone scatter the settings this far from the law

@@ -79,7 +79,9 @@ void mark_front(std::vector<SettingResult>& settings) {
 
 StudyResults study_results(const Study& study) {
   const Scene base = read_scene(study.scene_file, study.overrides);
-  StudyResults results{.scene = effective_scene(base), .diameter = base.particles.diameter};
+  StudyResults results{.scene = effective_scene(base),
+                       .diameter = base.particles.diameter,
+                       .neck_ratio = base.geometry.neck_width / base.particles.diameter};
   Samples samples;
   for (const Setting& setting : settings_for(base)) {
     SettingResult& outcome = results.settings.emplace_back(SettingResult{.setting = setting});
@@ -109,20 +111,21 @@ StudyResults study_results(const Study& study) {
     results.short_runs = short_runs(study);
   }
   mark_front(results.settings);
-  results.presets = combine({summary_of(results)}).presets;
+  results.presets = measured_study(results).presets;
   return results;
 }
 
-StudySummary summary_of(const StudyResults& results) {
-  StudySummary summary{results.diameter, results.reference, {}};
+MeasuredStudy measured_study(const StudyResults& results) {
+  MeasuredStudy study{.neck_ratio = results.neck_ratio};
   for (const SettingResult& o : results.settings)
-    summary.settings.push_back({.measured = {.name = o.setting.name,
-                                             .overrides = o.setting.overrides,
-                                             .gain = o.gain,
-                                             .within = o.within.value_or(0),
-                                             .step_over_limit = o.cost ? o.cost->step_over_limit : 0},
-                                .is_judged = o.within.has_value()});
-  return summary;
+    if (o.within)
+      study.settings.push_back({.name = o.setting.name,
+                                .overrides = o.setting.overrides,
+                                .seconds = o.cost->seconds,
+                                .within = *o.within,
+                                .step_over_limit = o.cost->step_over_limit});
+  study.presets = presets_of(study.settings);
+  return study;
 }
 
 std::string table(const StudyResults& results) {

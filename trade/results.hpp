@@ -45,6 +45,7 @@ struct SettingResult {
 struct StudyResults {
   std::string scene = {};      ///< effective
   double diameter = 0;         ///< [m]
+  double neck_ratio = 0;       ///< D/d; 0: no neck [-]
   std::string reference = {};  ///< the first setting of the matrix that has runs, or empty
   std::vector<SettingResult> settings = {};
   Responses responses = {};      ///< empty: too few settings ran
@@ -56,8 +57,8 @@ struct StudyResults {
 /// Everything a study measured, and what it did not run.
 StudyResults study_results(const Study& study);
 
-/// What counts of it beside other studies.
-StudySummary summary_of(const StudyResults& results);
+/// What the program may choose from it.
+MeasuredStudy measured_study(const StudyResults& results);
 
 /// A table for a person.
 std::string table(const StudyResults& results);

@@ -36,10 +36,7 @@ json json_of(const Responses& responses) {
     json& entry = all[key] = {
         {"chi_squared", r.chi_squared}, {"degrees_of_freedom", r.degrees_of_freedom}, {"p_value", r.p_value}};
     for (std::size_t k = 0; k < dose_names.size(); ++k)
-      entry[dose_names[k]] = {{"slope", r.slope[k]},
-                              {"error", r.error[k]},
-                              {"low", r.slope[k] - r.quantile * r.error[k]},
-                              {"high", r.slope[k] + r.quantile * r.error[k]}};
+      entry[dose_names[k]] = {{"slope", r.slope[k]}, {"error", r.error[k]}, {"low", r.low[k]}, {"high", r.high[k]}};
   }
   return all;
 }
@@ -93,35 +90,38 @@ bool is_setting(const json& setting) {
   if (!setting.is_object() || !has_text(setting, "name")) return false;
   if (!setting.contains("within")) return true;  // it was not run, or cannot be judged
   return setting.contains("overrides") &&
-         std::ranges::all_of(std::array{"gain", "within", "step_over_limit"},
+         std::ranges::all_of(std::array{"seconds_per_clog", "within", "step_over_limit"},
                              [&](const char* key) { return has_number(setting, key); });
 }
 
 bool is_study(const json& study) {
   return study.is_object() && has_text(study, "format") && study["format"] == "clogflow trade 2" &&
-         has_number(study, "diameter") && has_text(study, "reference") && study.contains("settings") &&
-         study["settings"].is_array() && std::ranges::all_of(study["settings"], is_setting);
+         has_number(study, "neck_ratio") && study.contains("settings") && study["settings"].is_array() &&
+         std::ranges::all_of(study["settings"], is_setting);
 }
 
 Measured measured_of(const json& entry) {
   return {.name = entry["name"],
           .overrides = entry.value("overrides", Overrides{}),
-          .gain = entry["gain"],
+          .seconds = entry["seconds_per_clog"],
           .within = entry["within"],
           .step_over_limit = entry["step_over_limit"]};
 }
 
-Seen seen_of(const json& entry) {
-  if (!entry.contains("within"))
-    return {.measured = {.name = entry["name"], .overrides = entry.value("overrides", Overrides{})}};
-  return {.measured = measured_of(entry), .is_judged = true};
+json json_of(const Measured& m) {
+  return {{"name", m.name},
+          {"overrides", m.overrides},
+          {"seconds_per_clog", m.seconds},
+          {"within", m.within},
+          {"step_over_limit", m.step_over_limit}};
 }
 
 }  // namespace
 
 std::string study_text(const StudyResults& results) {
-  json file{{"format", "clogflow trade 2"},   {"scene", results.scene},    {"diameter", results.diameter},
-            {"reference", results.reference}, {"settings", json::array()}, {"presets", json(json::value_t::object)}};
+  json file{{"format", "clogflow trade 2"},          {"scene", results.scene},         {"diameter", results.diameter},
+            {"neck_ratio", results.neck_ratio},      {"reference", results.reference}, {"settings", json::array()},
+            {"presets", json(json::value_t::object)}};
   for (const Observable& o : observables()) file["observables"][o.key] = o.meaning;
   file["responses"] = json_of(results.responses);
   if (!results.no_response.empty()) file["no_response"] = results.no_response;
@@ -132,12 +132,14 @@ std::string study_text(const StudyResults& results) {
   return file.dump(1) + "\n";
 }
 
-StudySummary read_study(const std::filesystem::path& file) {
-  const json study = parse_json(read_text_file(file));
-  require(is_study(study), "{}: not a trade.json of clog trade, or damaged", file.string());
-  StudySummary summary{study["diameter"], study["reference"], {}};
-  for (const json& entry : study["settings"]) summary.settings.push_back(seen_of(entry));
-  return summary;
+MeasuredStudy read_study(const std::filesystem::path& file) {
+  const json read = parse_json(read_text_file(file));
+  require(is_study(read), "{}: not a trade.json of clog trade, or damaged", file.string());
+  MeasuredStudy study{.neck_ratio = read["neck_ratio"]};
+  for (const json& entry : read["settings"])
+    if (entry.contains("within")) study.settings.push_back(measured_of(entry));
+  study.presets = presets_of(study.settings);
+  return study;
 }
 
 std::map<std::string, KnownSlope> read_step_slopes(const std::filesystem::path& file) {
@@ -155,26 +157,26 @@ std::map<std::string, KnownSlope> read_step_slopes(const std::filesystem::path& 
   return slopes;
 }
 
-std::string measured_text(const MeasuredSettings& measured) {
-  json file{{"format", "clogflow measured 2"}, {"settings", json::array()}, {"presets", measured.presets}};
-  for (const StudySummary& study : measured.studies)
-    file["studies"].push_back({{"diameter", study.diameter}, {"reference", study.reference}});
-  for (const Measured& m : measured.settings)
-    file["settings"].push_back({{"name", m.name},
-                                {"overrides", m.overrides},
-                                {"gain", m.gain},
-                                {"within", m.within},
-                                {"step_over_limit", m.step_over_limit}});
+std::string measured_text(std::vector<MeasuredStudy> studies) {
+  std::ranges::sort(studies, {}, &MeasuredStudy::neck_ratio);
+  json file{{"format", "clogflow measured 2"}, {"studies", json::array()}};
+  for (const MeasuredStudy& study : studies) {
+    json settings = json::array();
+    for (const Measured& m : study.settings) settings.push_back(json_of(m));
+    file["studies"].push_back({{"neck_ratio", study.neck_ratio}, {"settings", settings}, {"presets", study.presets}});
+  }
   return file.dump(1) + "\n";
 }
 
-MeasuredSettings parse_measured(const std::string& text) {
+std::vector<MeasuredStudy> parse_measured(const std::string& text) {
+  std::vector<MeasuredStudy> studies;
   const json file = json::parse(text);
-  MeasuredSettings measured{.presets = file.at("presets").get<Presets>()};
-  for (const json& study : file.at("studies"))
-    measured.studies.push_back({study.at("diameter"), study.at("reference"), {}});
-  for (const json& entry : file.at("settings")) measured.settings.push_back(measured_of(entry));
-  return measured;
+  for (const json& entry : file.at("studies")) {
+    MeasuredStudy study{.neck_ratio = entry.at("neck_ratio"), .presets = entry.at("presets").get<Presets>()};
+    for (const json& setting : entry.at("settings")) study.settings.push_back(measured_of(setting));
+    studies.push_back(study);
+  }
+  return studies;
 }
 
 }  // namespace clogflow::trade

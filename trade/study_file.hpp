@@ -11,16 +11,16 @@ namespace clogflow::trade {
 /// trade.json of a study.
 std::string study_text(const StudyResults& results);
 
-/// trade.json, read back for --combine. \throws Error naming the file, unless it holds what `combine` asks of a study
-StudySummary read_study(const std::filesystem::path& file);
+/// trade.json, read back for --combine. \throws Error naming the file, unless it holds what the program chooses from
+MeasuredStudy read_study(const std::filesystem::path& file);
 
 /// By observable: the response to the step in a trade.json. \throws Error naming the file, unless it has one
 std::map<std::string, KnownSlope> read_step_slopes(const std::filesystem::path& file);
 
-/// measured.json of several studies together.
-std::string measured_text(const MeasuredSettings& measured);
+/// measured.json of several studies together, by rising D/d.
+std::string measured_text(std::vector<MeasuredStudy> studies);
 
 /// \throws a JSON error unless the text is of measured_text()
-MeasuredSettings parse_measured(const std::string& text);
+std::vector<MeasuredStudy> parse_measured(const std::string& text);
 
 }  // namespace clogflow::trade

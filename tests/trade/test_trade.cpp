@@ -112,7 +112,7 @@ TEST(TradeResponse, FindsTheLawAndWhatItSaysOfASetting) {
   EXPECT_NEAR(r.slope[2], 0, 1e-12);
   EXPECT_NEAR(r.chi_squared, 0, 1e-9);
   EXPECT_EQ(r.degrees_of_freedom, 2);
-  EXPECT_NEAR(r.quantile, 1.96, 0.001);
+  EXPECT_NEAR(r.high[0] - r.slope[0], 1.96 * r.error[0], 1e-12);
   // 10 MPa and mass x 30 against 3 GPa and the true mass: softness 1 - 300^(-2/3) = 0.9777, mass 1 - 1/30.
   const Difference d = r.from_paper({1, 1, 0}, false);
   EXPECT_NEAR(d.difference, std::expm1(0.1 * 0.97769 - 0.2 * 29 / 30.0), 1e-5);
@@ -122,7 +122,7 @@ TEST(TradeResponse, FindsTheLawAndWhatItSaysOfASetting) {
   answers[1].spread.value *= 1.08;
   const Response off = fit_response(answers, false);
   EXPECT_LT(off.p_value, 0.01);
-  EXPECT_GT(off.quantile, 4.3 - 0.01);  // Student's t with 2 degrees of freedom
+  EXPECT_NEAR(off.error[2], r.error[2] * std::sqrt(off.chi_squared / 2), 1e-9);
   EXPECT_GT(off.from_paper({1, 1, 0}, false).within(), d.within());
 }
 
@@ -176,37 +176,34 @@ TEST(TradeResponse, DosesAreOneAtTheBase) {
   EXPECT_NEAR(doses_of(soft, 0.7).softness, 4, 1e-12);  // 8^(2/3)
 }
 
-Seen seen(const char* name, double gain, double within, double step = 0.5) {
-  return {.measured = {.name = name,
-                       .overrides = {"time.mass_scale=2"},
-                       .gain = gain,
-                       .within = within,
-                       .step_over_limit = step},
-          .is_judged = true};
+Measured seen(const char* name, double seconds, double within, double step = 0.5) {
+  return {
+      .name = name, .overrides = {"time.mass_scale=2"}, .seconds = seconds, .within = within, .step_over_limit = step};
 }
 
-// b is cheap and good at one diameter and bad at the other, c is dear and good, d cannot be judged, e was run once, f
-// too near the limit of its contacts at one diameter.
-TEST(TradePresets, FollowTheirRuleOverAllStudies) {
-  Seen d = seen("d", 90, 0), not_run = seen("e", 50, 0);
-  d.is_judged = not_run.is_judged = false;
-  const StudySummary one{
-      1, "a", {seen("a", 1, 0), seen("b", 8, 0.01), seen("c", 3, 0.04), d, seen("e", 50, 0), seen("f", 70, 0, 0.89)}};
-  const StudySummary two{
-      2, "a", {seen("a", 1, 0), seen("b", 6, 0.09), seen("c", 4, 0.05), d, not_run, seen("f", 70, 0, 0.91)}};
-  const MeasuredSettings both = combine({one, two});
-  EXPECT_EQ(both.presets, (Presets{{"reference", "a"}, {"standard", "c"}, {"fast", "b"}}));
-  ASSERT_EQ(both.settings.size(), 4u);
-  EXPECT_EQ(both.settings[1].gain, 6.0);
-  EXPECT_EQ(both.settings[1].within, 0.09);
-  EXPECT_EQ(cheapest_within(both.settings, 0.089).name, "c");
-  const StudySummary far{1, "a", {seen("a", 1, 0.08), seen("b", 2, 0.2)}};
-  EXPECT_EQ(combine({far}).presets, (Presets{{"reference", "a"}, {"fast", "a"}}));
-  EXPECT_THAT(refusal([] { cheapest_within({}, 0.01); }), HasSubstr("no setting was measured to be within 0.01"));
+TEST(TradePresets, AreTheCheapestWithinTheirTolerance) {
+  const std::vector<Measured> settings{seen("a", 9, 0.01), seen("b", 1, 0.09), seen("c", 3, 0.05), seen("d", 0.5, 0.2),
+                                       seen("near the limit", 0.1, 0.01, 0.91)};
+  EXPECT_EQ(presets_of(settings), (Presets{{"standard", "c"}, {"fast", "b"}}));
+  EXPECT_EQ(cheapest_within(settings, 0.049)->name, "a");
+  EXPECT_EQ(cheapest_within(settings, 0.001), nullptr);
+  EXPECT_TRUE(presets_of({seen("far", 1, 0.3)}).empty());
+}
+
+TEST(TradePresets, AreThoseOfTheNextLargerRatio) {
+  const std::vector<MeasuredStudy> studies{{.neck_ratio = 2.128}, {.neck_ratio = 3.03}, {.neck_ratio = 4}};
+  const auto ratio_for = [&](const Overrides& overrides) {
+    return study_for(studies, read_scene(paper, overrides)).neck_ratio;
+  };
+  EXPECT_EQ(ratio_for({"particles.diameter=80 um"}), 2.128);
+  EXPECT_EQ(ratio_for({"particles.diameter=47 um"}), 2.128);
+  EXPECT_EQ(ratio_for({"particles.diameter=40 um"}), 3.03);
+  EXPECT_EQ(ratio_for({"particles.diameter=33 um"}), 3.03);
+  EXPECT_EQ(ratio_for({"particles.diameter=22 um"}), 4);
 }
 
 StudyResults one_setting() {
-  StudyResults results{.scene = "", .diameter = 1, .reference = "a"};
+  StudyResults results{.scene = "", .diameter = 1, .neck_ratio = 2, .reference = "a"};
   results.settings.push_back(
       {.setting = {.name = "a"}, .cost = Cost{.seconds = 1, .particle_steps = 1}, .gain = 1, .within = 0.02});
   return results;
@@ -218,7 +215,7 @@ TEST(TradePresets, RefuseWhatIsNoStudy) {
   const std::string whole = study_text(one_setting());
   json nameless = json::parse(whole), worded = nameless;
   nameless["settings"][0].erase("name");
-  worded["settings"][0]["gain"] = "much";
+  worded["settings"][0]["seconds_per_clog"] = "much";
   for (const std::string& text : {nameless.dump(), worded.dump(), std::string("[1]"), std::string("{\"format\": 7}"),
                                   std::string(100'000, '['), std::string("no JSON")}) {
     std::ofstream(file) << text;
@@ -226,46 +223,54 @@ TEST(TradePresets, RefuseWhatIsNoStudy) {
                 HasSubstr("trade.json: not a trade.json of clog trade, or damaged"));
   }
   std::ofstream(file) << whole;
-  const StudySummary summary = read_study(file);
-  EXPECT_EQ(summary.reference, "a");
-  ASSERT_EQ(summary.settings.size(), 1u);
-  EXPECT_TRUE(summary.settings[0].is_judged);
-  EXPECT_EQ(summary.settings[0].measured.gain, 1);
-  EXPECT_EQ(summary.settings[0].measured.within, 0.02);
+  const MeasuredStudy study = read_study(file);
+  EXPECT_EQ(study.neck_ratio, 2);
+  ASSERT_EQ(study.settings.size(), 1u);
+  EXPECT_EQ(study.settings[0].seconds, 1);
+  EXPECT_EQ(study.settings[0].within, 0.02);
+  EXPECT_EQ(study.presets, (Presets{{"standard", "a"}, {"fast", "a"}}));
 }
 
-TEST(TradePresets, AreThoseOfTheCommittedStudy) {
+TEST(TradePresets, AreThoseOfTheCommittedStudies) {
   const auto root = clogflow::source_folder();
-  std::vector<StudySummary> studies;
-  for (const char* name : {"d47.json", "d33.json", "d25.json"})
+  std::vector<MeasuredStudy> studies;
+  for (const char* name : {"d25.json", "d33.json", "d47.json"})
     studies.push_back(read_study(root / "docs" / "reports" / "trade" / name));
   const std::string committed = read_text_file(root / "trade" / "measured.json");
-  EXPECT_EQ(measured_text(combine(studies)), committed);
-  EXPECT_EQ(measured_text(measured_settings()), committed);
+  EXPECT_EQ(measured_text(studies), committed);
+  EXPECT_EQ(measured_text(measured_studies()), committed);
+  EXPECT_TRUE(std::ranges::is_sorted(measured_studies(), {}, &MeasuredStudy::neck_ratio));
 }
 
 TEST(Fidelity, APresetBecomesKeysAndTheCommandLineWins) {
-  const Presets& presets = measured_settings().presets;
-  for (const char* name : {"reference", "standard", "fast"}) {
-    const ResolvedScene resolved =
-        read_resolved_scene(paper, {std::string("fidelity.preset=") + name, "time.mass_scale=7"});
+  const MeasuredStudy& study = study_for(measured_studies(), read_scene(paper, {}));
+  for (const auto& [preset, name] : study.presets) {
+    const ResolvedScene resolved = read_resolved_scene(paper, {"fidelity.preset=" + preset, "time.mass_scale=7"});
     EXPECT_EQ(resolved.scene.time.mass_scale, 7);
     EXPECT_TRUE(resolved.scene.fidelity.preset.empty());
-    EXPECT_THAT(resolved.note, HasSubstr("setting " + presets.at(name) + ","));
-    for (const Measured& setting : measured_settings().settings) {
-      if (setting.name != presets.at(name)) continue;
-      Overrides keys = setting.overrides;
-      keys.emplace_back("time.mass_scale=7");
-      EXPECT_EQ(effective_scene(resolved.scene), effective_scene(read_scene(paper, keys)));
-    }
+    EXPECT_THAT(resolved.note, HasSubstr("setting " + name + ", within"));
+    const auto setting = std::ranges::find(study.settings, name, &Measured::name);
+    ASSERT_NE(setting, study.settings.end());
+    Overrides keys = setting->overrides;
+    keys.emplace_back("time.mass_scale=7");
+    EXPECT_EQ(effective_scene(resolved.scene), effective_scene(read_scene(paper, keys)));
   }
+  const ResolvedScene reference = read_resolved_scene(paper, {"fidelity.preset=reference"});
+  EXPECT_EQ(reference.scene.contact.youngs_modulus, 3e9);
+  EXPECT_EQ(reference.scene.time.mass_scale, 1);
+  EXPECT_THAT(reference.note, HasSubstr("setting gpa3"));
 }
 
 TEST(Fidelity, AToleranceChoosesTheCheapestWithinIt) {
-  const ResolvedScene resolved = read_resolved_scene(paper, {"fidelity.tolerance=0.05"});
-  EXPECT_THAT(resolved.note, HasSubstr("setting " + measured_settings().presets.at("standard") + ","));
+  const MeasuredStudy& study = study_for(measured_studies(), read_scene(paper, {}));
+  const ResolvedScene resolved = read_resolved_scene(paper, {"fidelity.tolerance=0.1"});
+  EXPECT_THAT(resolved.note, HasSubstr("setting " + study.presets.at("fast") + ","));
   EXPECT_EQ(resolved.scene.fidelity.tolerance, 0);
   EXPECT_EQ(read_resolved_scene(paper, {}).note, "");
+  EXPECT_THAT(read_resolved_scene(paper, {"fidelity.tolerance=0.1", "particles.diameter=15 um"}).note,
+              HasSubstr("(nothing was measured at a larger one)"));
+  EXPECT_THAT(refusal([] { read_resolved_scene(paper, {"fidelity.tolerance=1e-4"}); }),
+              HasSubstr("(no setting was measured to be so near at D/d = "));
 }
 
 TEST(Fidelity, RefusesWhatItDoesNotKnow) {

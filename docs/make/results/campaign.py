@@ -1,5 +1,6 @@
 """The statistics of the campaign, by size of the neck, and how its numbers are written."""
 
+import json
 import math
 import sys
 import tomllib
@@ -116,3 +117,13 @@ def estimate(entry, digits=3):
 def table(head, rows):
     lines = ["| " + " | ".join(head) + " |", "| " + " | ".join("---" for _ in head) + " |"]
     return "\n".join(lines + ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows])
+
+
+def softness(ratio):
+    """What 10 MPa, mass x 30 and the step do to <s>, by the response of docs/reports/trade.md at this D/d; None where it was not studied."""
+    for file in sorted((FIGURES.parents[1] / "docs" / "reports" / "trade").glob("d??.json")):
+        study = json.loads(file.read_text(encoding="utf-8"))
+        if abs(study["neck_ratio"] / ratio - 1) < 0.01:
+            setting = next(s for s in study["settings"] if s["name"] == "10MPa_m30_limit70")
+            return setting["from_paper"]["mean_burst"]
+    return None

@@ -10,7 +10,7 @@ from string import Template
 
 import claims
 import trends as trends_of_experiments
-from campaign import Campaign, estimate, number, numerics, table
+from campaign import Campaign, estimate, number, numerics, softness, table
 
 import fig_bursts  # from postprocess/figures, which campaign.py put on the path
 import fig_lapses
@@ -81,6 +81,16 @@ def law(fit):
         if "agrees" in out:
             text += f" A point with a {out['status']} is {'respected' if out['agrees'] else '**not** respected'}: the law gives {number(out['law'])} there."
     return text
+
+
+def bias(campaign):
+    """What the numerics of the campaign do to its <s>, where that was studied."""
+    said = []
+    for p in campaign.points:
+        d = softness(p.ratio)
+        if d:
+            said.append(f"{100 * d['difference']:+.0f} % [{100 * d['low']:+.0f}, {100 * d['high']:+.0f}] at D/d = {number(p.ratio)}")
+    return ", ".join(said)
 
 
 def memory(campaign):
@@ -232,7 +242,7 @@ def main():
     head = ["claim", "ours (D/d: value)", "agrees?"]
     page = Template((HERE / "template.md.in").read_text(encoding="utf-8")).substitute(
         summary=summary(campaign), missing=missing(campaign), points=points(campaign), law=law(fit) + rivals(fit), memory=memory(campaign),
-        rewind=rewind(campaign), order=order(campaign),
+        rewind=rewind(campaign), bias=bias(campaign), order=order(campaign),
         claims=table(head, claims.rows(campaign)), trends=table(head, trends_of_experiments.rows(campaign)),
         sweeps=other_campaigns(campaign) + other_sweeps(campaign),
         numerics=numerics(campaign.points[0].group),

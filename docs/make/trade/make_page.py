@@ -8,7 +8,6 @@ from string import Template
 from studies import ROOT, SHORT, Study, interval, short, table
 
 SIZES = ("d47", "d33", "d25")
-PRESETS = ("reference", "standard", "fast")
 OBSERVED = ("mean_burst", "early_clogs", "flow_rate_flowing", "packing_near_neck", "coordination")
 
 
@@ -16,17 +15,18 @@ def named(key):
     return SHORT[key] + (" (points)" if key in ("early_clogs", "share_censored") else "")
 
 
-def presets(studies, measured):
+def presets(measured):
     rows = []
-    for preset in PRESETS:
-        chosen = next(s for s in measured["settings"] if s["name"] == measured["presets"][preset])
-        here = [s.settings.get(chosen["name"]) for s in studies]
-        cost = ", ".join(short(s["seconds_per_clog"]) if s else "-" for s in here)
-        within = ", ".join(f"{100 * s['within']:.1f}" if s and "within" in s else "-" for s in here)
-        words = ", ".join(o.split(".", 1)[1].replace("_", " ").replace("=", " ") for o in chosen["overrides"])
-        rows.append([f"`{preset}` = {chosen['name']}", words, cost, short(chosen["gain"]), f"**{100 * chosen['within']:.1f} %** ({within})"])
-    sizes = ", ".join(f"{s.ratio:.3g}" for s in studies)
-    return table(["preset", "keys", f"core-seconds a clog at D/d = {sizes}", "gain at 2.13", "every number proved within (by size)"], rows)
+    for study in measured["studies"]:
+        settings = {s["name"]: s for s in study["settings"]}
+        for preset in ("standard", "fast"):
+            if preset not in study["presets"]:
+                rows.append([f"{study['neck_ratio']:.3g}", f"`{preset}`", "none was proved to be so near", "-", "-"])
+                continue
+            chosen = settings[study["presets"][preset]]
+            words = ", ".join(o.split(".", 1)[1].replace("_", " ").replace("=", " ") for o in chosen["overrides"])
+            rows.append([f"{study['neck_ratio']:.3g}", f"`{preset}` = {chosen['name']}", words, short(chosen["seconds_per_clog"]), f"**{100 * chosen['within']:.1f} %**"])
+    return table(["D/d up to", "preset", "keys", "core-seconds a clog", "every number proved within"], rows)
 
 
 def responses(studies):
@@ -72,13 +72,12 @@ def grids(study):
 def main():
     studies = [Study(name) for name in SIZES]
     measured = json.loads((ROOT / "trade" / "measured.json").read_text(encoding="utf-8"))
-    spread = Study("s47")
     template = (ROOT / "docs" / "make" / "trade" / "template.md.in").read_text(encoding="utf-8")
     page = Template(template).substitute(
-        presets=presets(studies, measured), responses=responses(studies), doses="\n\n".join(f"D/d = {s.ratio:.3g}\n\n{doses(s)}" for s in studies),
+        presets=presets(measured), responses=responses(studies), doses="\n\n".join(f"D/d = {s.ratio:.3g}\n\n{doses(s)}" for s in studies),
         direct="\n\n".join(f"D/d = {s.ratio:.3g}\n\n{against(s, ('dose',))}" for s in studies),
         numerics=against(studies[0], ("numerics",)), physics=against(studies[0], ("physics",)), grids=grids(studies[0]),
-        spread=responses([spread]))
+        spread=responses([Study("s47")]))
     page = re.sub(r"`[^`]*`|<s>", lambda found: r"\<s>" if found[0] == "<s>" else found[0], page)
     print(page.rstrip("\n"))
 
