@@ -62,18 +62,18 @@ Pieces all_of(const Sample& sample) {
 const std::vector<Observable>& observables() {
   using postprocess::find_quantity;
   static const std::vector<Observable> all{
-      {"mean_burst", "<s>, passages a clog", false, false, mean_size},
-      {"early_clogs", "share of the clogs after no more passages than the reference's median", true, false,
+      {"mean_burst", "<s>, passages a clog", false, false, 1, mean_size},
+      {"early_clogs", "share of the clogs after no more passages than the reference's median", true, false, 1,
        share_of_early},
-      {"flow_rate_flowing", "passages per second within bursts", false, false, of_totals,
+      {"flow_rate_flowing", "passages per second within bursts", false, false, 1, of_totals,
        find_quantity("flow_rate_flowing")},
-      {"packing_near_neck", "of the strip next to the narrowing, while particles pass", false, false, of_rows, nullptr,
-       &Piece::packing_while_flowing},
-      {"coordination", "contacts of a particle with others, in a clog", false, false, of_rows, nullptr,
+      {"packing_near_neck", "of the strip next to the narrowing, while particles pass", false, false, 1, of_rows,
+       nullptr, &Piece::packing_while_flowing},
+      {"coordination", "contacts of a particle with others, in a clog", false, false, 0.5, of_rows, nullptr,
        &Piece::contacts_at_rest},
-      {"alpha", "exponent of T >= tau/2, censored arrests included", false, true, of_totals,
+      {"alpha", "exponent of T >= tau/2, censored arrests included", false, true, 1, of_totals,
        find_quantity("alpha_fixed")},
-      {"share_censored", "share of the arrests that no passage ended", true, true, of_totals,
+      {"share_censored", "share of the arrests that no passage ended", true, true, 1, of_totals,
        find_quantity("share_censored")},
   };
   return all;

@@ -18,6 +18,9 @@ struct Observable {
   bool is_share;  ///< differences are absolute, not relative
   /// A protocol that clears clogs cuts the arrests: what is left of them says more about it than about the clogs.
   bool needs_whole_arrests;
+  /// The power of the overlap that it answers to: a jammed pack gains contacts with the root of its compression.
+  /// \source O'Hern et al. 2003, Phys. Rev. E 68:011306
+  double overlap_power;
   double (*value)(const Observable&, const Pieces&, double usual_burst);
   const postprocess::Quantity* quantity = nullptr;  ///< of the totals
   RowMean Piece::*rows = nullptr;                   ///< mean over rows of the series

@@ -17,11 +17,16 @@ constexpr double paper_modulus = 3e9;                            // [Pa]
 constexpr double to_95 = 1.96;                                   // standard errors that make a 95 % interval
 constexpr int unknowns = 4;                                      // the value without any dose, and a slope for each
 
-std::array<double, 3> in_order(const Doses& doses) { return {doses.softness, doses.mass, doses.step}; }
+std::array<double, 3> in_order(const Doses& doses, double overlap_power) {
+  return {std::pow(doses.softness, overlap_power), doses.mass, doses.step};
+}
 
 double softness_of(double modulus) { return std::pow(modulus / reference_modulus, -2.0 / 3.0); }
 
-Eigen::Vector4d row_of(const Doses& doses) { return {1, doses.softness, doses.mass, doses.step}; }
+Eigen::Vector4d row_of(const Doses& doses, double overlap_power) {
+  const auto [softness, mass, step] = in_order(doses, overlap_power);
+  return {1, softness, mass, step};
+}
 
 }  // namespace
 
@@ -31,8 +36,8 @@ Doses doses_of(const Scene& scene, double step_over_limit) {
 }
 
 Difference Response::from_paper(const Doses& doses, bool is_share) const {
-  const std::array<double, 3> here = in_order(doses),
-                              paper = in_order({softness_of(paper_modulus), 1 / reference_mass, 0});
+  const std::array<double, 3> here = in_order(doses, overlap_power),
+                              paper = in_order({softness_of(paper_modulus), 1 / reference_mass, 0}, overlap_power);
   double change = 0, square = 0;
   for (int k = 0; k < 3; ++k) {
     change += slope[k] * (here[k] - paper[k]);
@@ -43,7 +48,8 @@ Difference Response::from_paper(const Doses& doses, bool is_share) const {
   return {.difference = shown(change), .low = shown(change - reach), .high = shown(change + reach)};
 }
 
-Response fit_response(const std::vector<Answer>& answers, bool is_share, const std::optional<KnownSlope>& step) {
+Response fit_response(const std::vector<Answer>& answers, bool is_share, const std::optional<KnownSlope>& step,
+                      double overlap_power) {
   const int f = static_cast<int>(answers.size()) + (step ? 1 : 0) - unknowns;
   require(f >= 1,
           "{} settings cannot show how an observable answers to three doses (5 can, or 4 with --step-from): run "
@@ -54,7 +60,7 @@ Response fit_response(const std::vector<Answer>& answers, bool is_share, const s
   const auto height = [&](const Answer& a) { return is_share ? a.spread.value : std::log(a.spread.value); };
   for (const Answer& a : answers) {
     const double weight = 1 / (a.spread.error * a.spread.error);
-    const Eigen::Vector4d row = row_of(a.doses);
+    const Eigen::Vector4d row = row_of(a.doses, overlap_power);
     normal += weight * row * row.transpose();
     right += weight * height(a) * row;
   }
@@ -66,9 +72,9 @@ Response fit_response(const std::vector<Answer>& answers, bool is_share, const s
   const Eigen::FullPivLU<Eigen::Matrix4d> solver(normal);
   require(solver.isInvertible(), "the settings that ran do not tell softness, mass and step apart: run others too");
   const Eigen::Vector4d law = solver.solve(right);
-  Response response{.degrees_of_freedom = f};
+  Response response{.overlap_power = overlap_power, .degrees_of_freedom = f};
   for (const Answer& a : answers) {
-    const double miss = (height(a) - law.dot(row_of(a.doses))) / a.spread.error;
+    const double miss = (height(a) - law.dot(row_of(a.doses, overlap_power))) / a.spread.error;
     response.chi_squared += miss * miss;
   }
   if (step) response.chi_squared += std::pow((law[3] - step->value) / step->error, 2);

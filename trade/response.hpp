@@ -34,6 +34,7 @@ struct Answer {
 /// scatter beyond their errors, these grow by the root of chi squared over its degrees of freedom. \source Particle
 /// Data Group, Review of Particle Physics, introduction 5.2.2 (scale factor)
 struct Response {
+  double overlap_power = 1;                         ///< the dose of softness is taken to this power
   std::array<double, 3> slope{};                    ///< a_k: change for a dose of 1 [-]
   std::array<double, 3> error{};                    ///< standard error of a_k [-]
   std::array<double, 3> low{}, high{};              ///< 95 % interval of a_k [-]
@@ -54,6 +55,7 @@ struct KnownSlope {
 
 /// \param step  the response to the step in another study, a further measurement: it acts on contacts, whatever D/d
 /// \throws Error with fewer measurements than unknowns + 1, or if they do not tell the doses apart
-Response fit_response(const std::vector<Answer>& answers, bool is_share, const std::optional<KnownSlope>& step = {});
+Response fit_response(const std::vector<Answer>& answers, bool is_share, const std::optional<KnownSlope>& step = {},
+                      double overlap_power = 1);
 
 }  // namespace clogflow::trade

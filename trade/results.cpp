@@ -55,7 +55,8 @@ void add_responses(StudyResults& results, const Study& study, const Scene& base,
         answers.push_back({doses_in(study, one), spread_of(observable, samples.at(one.setting.name), usual)});
     const auto step = study.step_slopes.find(observable.key);
     results.responses[observable.key] = fit_response(
-        answers, observable.is_share, step == study.step_slopes.end() ? std::nullopt : std::optional(step->second));
+        answers, observable.is_share, step == study.step_slopes.end() ? std::nullopt : std::optional(step->second),
+        observable.overlap_power);
   }
   for (SettingResult& one : results.settings) {
     if (!is_dose(one)) continue;

@@ -33,8 +33,10 @@ json json_of(const Differences& differences) {
 json json_of(const Responses& responses) {
   json all(json::value_t::object);
   for (const auto& [key, r] : responses) {
-    json& entry = all[key] = {
-        {"chi_squared", r.chi_squared}, {"degrees_of_freedom", r.degrees_of_freedom}, {"p_value", r.p_value}};
+    json& entry = all[key] = {{"overlap_power", r.overlap_power},
+                              {"chi_squared", r.chi_squared},
+                              {"degrees_of_freedom", r.degrees_of_freedom},
+                              {"p_value", r.p_value}};
     for (std::size_t k = 0; k < dose_names.size(); ++k)
       entry[dose_names[k]] = {{"slope", r.slope[k]}, {"error", r.error[k]}, {"low", r.low[k]}, {"high", r.high[k]}};
   }

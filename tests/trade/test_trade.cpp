@@ -126,6 +126,15 @@ TEST(TradeResponse, FindsTheLawAndWhatItSaysOfASetting) {
   EXPECT_GT(off.from_paper({1, 1, 0}, false).within(), d.within());
 }
 
+// Contacts go with the root of the overlap: 1, then twice as many at a softness of 4 (an eighth of the modulus).
+TEST(TradeResponse, TakesTheSoftnessToAPower) {
+  std::vector<Answer> answers = lawful_answers();
+  for (Answer& a : answers) a.spread.value = std::exp(0.1 * std::sqrt(a.doses.softness));
+  const Response r = fit_response(answers, false, {}, 0.5);
+  EXPECT_NEAR(r.slope[0], 0.1, 1e-9);
+  EXPECT_NEAR(r.from_paper({4, 1.0 / 30, 0}, false).difference, std::expm1(0.1 * (2 - std::pow(300, -1.0 / 3))), 1e-9);
+}
+
 TEST(TradeResponse, TakesTheStepFromAnotherStudy) {
   std::vector<Answer> answers = lawful_answers();
   answers.resize(4);

@@ -174,13 +174,16 @@ def flat(scene, prefix=""):
 
 
 # What differs from point to point of any campaign.
-POINTWISE = ("particles.diameter", "particles.roughness", "lubrication.cutoff", "time.end", "ensemble.seeds", "output.")
+POINTWISE = ("particles.diameter", "particles.roughness", "lubrication.cutoff", "porosity.update_interval", "unclog.after", "unclog.duration",
+             "time.end", "ensemble.seeds", "output.")
 
 
 def condition(here, there):
     """The keys in which another campaign differs, in words."""
     a, b = (flat(tomllib.loads(c.points[0].group["scene"])) for c in (here, there))
-    return ", ".join(f"`{key} = {b[key]}`" for key in sorted(b) if b[key] != a.get(key) and not key.startswith(POINTWISE))
+    changed = [key for key in sorted(b) if b[key] != a.get(key) and not key.startswith(POINTWISE)]
+    # Walls have the friction of the particles unless they are given their own.
+    return ", ".join(f"`{key} = {b[key]}`" for key in changed if b[key] != b.get(key.replace("wall_friction", "friction")) or "wall_" not in key)
 
 
 def beside(campaign, other):

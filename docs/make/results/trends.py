@@ -16,22 +16,24 @@ def read(file):
         return list(csv.DictReader(stream))
 
 
-def base_rows(**fixed):
-    """Measured rows of the bridging law with friction 0.6 three times, at 60 degrees and densely fed unless `fixed` says else."""
+def base_rows(from_empty, **fixed):
+    """Measured rows of the bridging law with friction 0.6 three times, at 60 degrees and densely fed unless `fixed` says else; first clogs from an
+    empty channel, or bursts of a channel in full flow."""
     wanted = {"sliding friction [1]": "0.6", "rolling friction [1]": "0.6", "torsion friction [1]": "0.6", "half angle [deg]": "60", "concentration fed [1]": "dense"}
     wanted.update(fixed)
     return [r for r in read("bridging/law.csv")
-            if r["status"] == "measured" and r["from"] != "friction map" and all(v is None or r[k] == v for k, v in wanted.items())]
+            if r["status"] == "measured" and r["from"] != "friction map" and ("empty" in r["from"]) == from_empty
+            and all(v is None or r[k] == v for k, v in wanted.items())]
 
 
 def mean(row):
     return f"{number(float(row['mean burst [1]']))} [{number(float(row['mean burst low [1]']))}, {number(float(row['mean burst high [1]']))}]"
 
 
-def along(key, order, name, falls):
+def along(key, order, name, falls, from_empty=False):
     """<s> along one axis of the bridging law at each size that has two rows and more; agrees if it falls (or rises) from end to end at all of them."""
     by_size = {}
-    for row in base_rows(**{key: None}):
+    for row in base_rows(from_empty, **{key: None}):
         by_size.setdefault(row["D/d [1]"], []).append(row)
     said, holds = [], []
     for size, rows in sorted(by_size.items(), key=lambda item: float(item[0])):
@@ -44,7 +46,7 @@ def along(key, order, name, falls):
         holds.append(float(low["mean burst high [1]"]) < float(high["mean burst low [1]"]))
     if not said:
         return "-", ABSENT
-    return "<s> by D/d: " + "; ".join(said) + " ([bridging.md](bridging.md))", AGREES if all(holds) else PARTLY if any(holds) else DIFFERS
+    return "<s> at D/d = " + "; ".join(said) + " ([bridging.md](bridging.md))", AGREES if all(holds) else PARTLY if any(holds) else DIFFERS
 
 
 def angle(_):
@@ -54,7 +56,7 @@ def angle(_):
 def concentration(_):
     def solids(value):
         return 1.0 if value == "dense" else float(value)
-    return along("concentration fed [1]", solids, str, falls=True)
+    return along("concentration fed [1]", solids, str, falls=True, from_empty=True)
 
 
 def pulsation(_):
