@@ -59,6 +59,9 @@ Response fit_response(const std::vector<Answer>& answers, bool is_share, const s
   Eigen::Vector4d right = Eigen::Vector4d::Zero();
   const auto height = [&](const Answer& a) { return is_share ? a.spread.value : std::log(a.spread.value); };
   for (const Answer& a : answers) {
+    require(
+        std::isfinite(height(a)) && std::isfinite(a.spread.error) && a.spread.error > 0,
+        "a setting has no value with an error (too few clogs, or nothing of the kind was recorded): run more seeds");
     const double weight = 1 / (a.spread.error * a.spread.error);
     const Eigen::Vector4d row = row_of(a.doses, overlap_power);
     normal += weight * row * row.transpose();

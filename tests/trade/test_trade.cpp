@@ -172,6 +172,8 @@ TEST(TradeResponse, RefusesSettingsThatCannotTell) {
   std::vector<Answer> answers = lawful_answers();
   for (Answer& a : answers) a.doses.step = 0.7;
   EXPECT_THAT(refusal([&] { fit_response(answers, false); }), HasSubstr("do not tell softness, mass and step apart"));
+  answers[2].spread.value = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(refusal([&] { fit_response(answers, false); }), HasSubstr("a setting has no value with an error"));
   answers.resize(4);
   EXPECT_THAT(refusal([&] { fit_response(answers, false); }), HasSubstr("4 settings cannot show"));
 }
