@@ -26,7 +26,7 @@ def presets(measured):
             chosen = settings[study["presets"][preset]]
             words = ", ".join(o.split(".", 1)[1].replace("_", " ").replace("=", " ") for o in chosen["overrides"])
             rows.append([f"{study['neck_ratio']:.3g}", f"`{preset}` = {chosen['name']}", words, short(chosen["seconds_per_clog"]), f"**{100 * chosen['within']:.1f} %**"])
-    return table(["D/d up to", "preset", "keys", "core-seconds a clog", "every number proved within"], rows)
+    return table(["D/d up to", "preset", "keys", "core-seconds a clog", "every number within, by the law"], rows)
 
 
 def responses(studies):
