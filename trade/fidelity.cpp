@@ -53,7 +53,7 @@ const Measured& chosen(const Scene& scene, const MeasuredStudy& study, const std
 std::string note_on(const Measured& setting, const MeasuredStudy& study, const Scene& scene) {
   const double ratio = scene.geometry.neck_width / scene.particles.diameter;
   return fmt::format(
-      "fidelity: setting {}, within {:.2g} % of the paper's particles in all that was compared at D/d = "
+      "fidelity: setting {}, within {:.2g} % of the paper's particles by the law of the trade study at D/d = "
       "{:.3g}{}, {:.2g} core-seconds a clog there{}: {}",
       setting.name, 100 * setting.within, study.neck_ratio,
       ratio > 1.001 * study.neck_ratio ? " (nothing was measured at a larger one)" : "", setting.seconds,

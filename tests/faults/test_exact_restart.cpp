@@ -177,7 +177,7 @@ TEST(ExactRestartScenes, AStateSurvivesItself) {
   ASSERT_EQ(again.size(), run.states[5].bytes.size());
   std::size_t different = 0;
   for (std::size_t k = 0; k < again.size(); ++k) different += again[k] != run.states[5].bytes[k];
-  EXPECT_LE(different, sizeof(double));
+  EXPECT_LE(different, 2 * sizeof(double));  // the clocks of the wall and of the processor
 }
 
 TEST(ExactRestartScenes, AStateCutShortOrTooLongIsRefused) {
