@@ -61,7 +61,7 @@ def against(study, kinds, observed=OBSERVED):
             text = interval(d, unit=False)
             cells.append(f"**{text}**" if d["real"] else text)
         rows.append([s["name"], s["against"], f"{s['clogs']:.0f}", short(s["differences"]["mean_burst"]["value"] or math.nan), *cells])
-    return table(["setting", "against", "clogs", "`<s>`", *map(named, observed)], rows)
+    return table(["setting", "against", "clogs", "value of `<s>`", *(f"{named(key)}, difference" for key in observed)], rows)
 
 
 def grids(study):
