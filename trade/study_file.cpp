@@ -96,10 +96,25 @@ bool is_setting(const json& setting) {
                              [&](const char* key) { return has_number(setting, key); });
 }
 
+constexpr const char *any_format = "clogflow trade ", *format = "clogflow trade 2";
+
 bool is_study(const json& study) {
-  return study.is_object() && has_text(study, "format") && study["format"] == "clogflow trade 2" &&
+  return study.is_object() && has_text(study, "format") && study["format"] == format &&
          has_number(study, "neck_ratio") && study.contains("settings") && study["settings"].is_array() &&
          std::ranges::all_of(study["settings"], is_setting);
+}
+
+json study_in(const std::filesystem::path& file) {
+  json study = parse_json(read_text_file(file));
+  if (study.is_object() && has_text(study, "format")) {
+    const std::string written = study["format"];
+    require(
+        written == format || !written.starts_with(any_format),
+        "{}: \"{}\" was made by another version of the program: evaluate its runs again (clog trade --budget '0 s')",
+        file.string(), written);
+  }
+  require(is_study(study), "{}: not a trade.json of clog trade, or damaged", file.string());
+  return study;
 }
 
 Measured measured_of(const json& entry) {
@@ -121,8 +136,12 @@ json json_of(const Measured& m) {
 }  // namespace
 
 std::string study_text(const StudyResults& results) {
-  json file{{"format", "clogflow trade 2"},          {"scene", results.scene},         {"diameter", results.diameter},
-            {"neck_ratio", results.neck_ratio},      {"reference", results.reference}, {"settings", json::array()},
+  json file{{"format", format},
+            {"scene", results.scene},
+            {"diameter", results.diameter},
+            {"neck_ratio", results.neck_ratio},
+            {"reference", results.reference},
+            {"settings", json::array()},
             {"presets", json(json::value_t::object)}};
   for (const Observable& o : observables()) file["observables"][o.key] = o.meaning;
   file["responses"] = json_of(results.responses);
@@ -135,8 +154,7 @@ std::string study_text(const StudyResults& results) {
 }
 
 MeasuredStudy read_study(const std::filesystem::path& file) {
-  const json read = parse_json(read_text_file(file));
-  require(is_study(read), "{}: not a trade.json of clog trade, or damaged", file.string());
+  const json read = study_in(file);
   MeasuredStudy study{.neck_ratio = read["neck_ratio"]};
   for (const json& entry : read["settings"])
     if (entry.contains("within")) study.settings.push_back(measured_of(entry));
@@ -145,8 +163,7 @@ MeasuredStudy read_study(const std::filesystem::path& file) {
 }
 
 std::map<std::string, KnownSlope> read_step_slopes(const std::filesystem::path& file) {
-  const json study = parse_json(read_text_file(file));
-  require(is_study(study), "{}: not a trade.json of clog trade, or damaged", file.string());
+  const json study = study_in(file);
   std::map<std::string, KnownSlope> slopes;
   const json responses = study.value("responses", json::object());
   for (const auto& [key, response] : responses.items()) {

@@ -233,6 +233,8 @@ TEST(TradePresets, RefuseWhatIsNoStudy) {
     EXPECT_THAT(refusal([&] { read_study(file); }),
                 HasSubstr("trade.json: not a trade.json of clog trade, or damaged"));
   }
+  std::ofstream(file) << R"({"format": "clogflow trade 1", "settings": []})";
+  EXPECT_THAT(refusal([&] { read_study(file); }), HasSubstr("\"clogflow trade 1\" was made by another version"));
   std::ofstream(file) << whole;
   const MeasuredStudy study = read_study(file);
   EXPECT_EQ(study.neck_ratio, 2);
