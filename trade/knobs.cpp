@@ -51,45 +51,45 @@ void add_doses(std::vector<Setting>& all) {
   add("1MPa_m30_limit70", "Young's modulus / 10", {"contact.youngs_modulus=1 MPa"});
 }
 
-void add_more(std::vector<Setting>& all, Kind kind, const char* name, const char* knob, const Overrides& more) {
-  all.push_back({name, knob, base_name, kind, base_with(more)});
+/// What turns one thing on the base.
+struct Turn {
+  const char *name, *knob;
+  std::string override;
+};
+
+std::vector<Turn> other_methods(const Scene& scene) {
+  return {{"base_i1", "moment of inertia", "time.rotational_inertia_scale=1"},
+          {"base_i10", "moment of inertia", "time.rotational_inertia_scale=10"},
+          {"base_implicit_drag", "integrator", "time.integrator=implicit_drag"},
+          {"base_implicit_fluid", "integrator", "time.integrator=implicit_fluid"},
+          {"base_trilinear", "lookup", "flow.lookup=trilinear"},
+          {"base_strips1", "strips", "porosity.strips=1"},
+          {"base_strips6", "strips", "porosity.strips=6"},
+          {"base_rare_porosity", "update of the strips", "porosity.update_interval=5 ms"},
+          {"base_rarer_porosity", "update of the strips", "porosity.update_interval=50 ms"},
+          {"base_lubrication_short", "lubrication cut-off",
+           fmt::format("lubrication.cutoff={} m", scene.particles.diameter / 4)}};
 }
 
-void add_numerics(std::vector<Setting>& all, const Scene& scene) {
-  const auto add = [&](const char* name, const char* knob, const Overrides& more) {
-    add_more(all, Kind::numerics, name, knob, more);
-  };
-  add("base_i1", "moment of inertia", {"time.rotational_inertia_scale=1"});
-  add("base_i10", "moment of inertia", {"time.rotational_inertia_scale=10"});
-  add("base_implicit_drag", "integrator", {"time.integrator=implicit_drag"});
-  add("base_implicit_fluid", "integrator", {"time.integrator=implicit_fluid"});
-  add("base_trilinear", "lookup", {"flow.lookup=trilinear"});
-  add("base_strips1", "strips", {"porosity.strips=1"});
-  add("base_strips6", "strips", {"porosity.strips=6"});
-  add("base_rare_porosity", "update of the strips", {"porosity.update_interval=5 ms"});
-  add("base_rarer_porosity", "update of the strips", {"porosity.update_interval=50 ms"});
-  add("base_lubrication_short", "lubrication cut-off",
-      {fmt::format("lubrication.cutoff={} m", scene.particles.diameter / 4)});
-}
-
-void add_physics(std::vector<Setting>& all, const Scene& scene) {
-  const auto add = [&](const char* name, const char* knob, const Overrides& more) {
-    add_more(all, Kind::physics, name, knob, more);
-  };
+std::vector<Turn> other_physics(const Scene& scene) {
   const auto roughness = [&](double diameters) {
     return fmt::format("particles.roughness={} m", diameters * scene.particles.diameter);
   };
-  add("base_lubrication_off", "lubrication off", {"lubrication.enabled=false"});
-  add("base_lubrication_clamp", "lubrication held below 2 xi", {"lubrication.below_roughness=clamp"});
-  add("base_smooth", "roughness / 10", {roughness(0.0005)});
-  add("base_rough", "roughness x 4", {roughness(0.02)});
-  add("base_restitution03", "restitution", {"contact.restitution=0.3"});
-  add("base_superficial", "drag of the superficial velocity", {"drag.velocity=superficial"});
-  add("base_rolling0", "no rolling friction", {"contact.friction.rolling=0"});
-  add("base_torsion0", "no torsion friction", {"contact.friction.torsion=0"});
-  add("base_rolling12", "rolling friction doubled", {"contact.friction.rolling=1.2"});
-  add("base_torsion12", "torsion friction doubled", {"contact.friction.torsion=1.2"});
-  add("base_doubling", "doubling torsion spring", {"contact.torsion_update=doubling"});
+  return {{"base_lubrication_off", "lubrication off", "lubrication.enabled=false"},
+          {"base_lubrication_clamp", "lubrication held below 2 xi", "lubrication.below_roughness=clamp"},
+          {"base_smooth", "roughness / 10", roughness(0.0005)},
+          {"base_rough", "roughness x 4", roughness(0.02)},
+          {"base_restitution03", "restitution", "contact.restitution=0.3"},
+          {"base_superficial", "drag of the superficial velocity", "drag.velocity=superficial"},
+          {"base_rolling0", "no rolling friction", "contact.friction.rolling=0"},
+          {"base_torsion0", "no torsion friction", "contact.friction.torsion=0"},
+          {"base_rolling12", "rolling friction doubled", "contact.friction.rolling=1.2"},
+          {"base_torsion12", "torsion friction doubled", "contact.friction.torsion=1.2"},
+          {"base_doubling", "doubling torsion spring", "contact.torsion_update=doubling"}};
+}
+
+void add_turns(std::vector<Setting>& all, Kind kind, const std::vector<Turn>& turns) {
+  for (const Turn& turn : turns) all.push_back({turn.name, turn.knob, base_name, kind, base_with({turn.override})});
 }
 
 }  // namespace
@@ -107,8 +107,8 @@ std::vector<Setting> settings_for(const Scene& scene) {
   require_studied_laws(scene, "clog trade");
   std::vector<Setting> all;
   add_doses(all);
-  add_numerics(all, scene);
-  add_physics(all, scene);
+  add_turns(all, Kind::numerics, other_methods(scene));
+  add_turns(all, Kind::physics, other_physics(scene));
   return all;
 }
 

@@ -63,8 +63,8 @@ private:
 
 }  // namespace
 
-Scene extreme_scene(const ExtremePoint& p, double step) {
-  Scene s = parse_scene(fmt::format(R"(
+std::string spheres_in_liquid(const ExtremePoint& p, double diameter) {
+  return fmt::format(R"(
 [fluid]
 viscosity = "{} Pa s"
 density = "1062 kg/m3"
@@ -76,8 +76,11 @@ poisson_ratio = 0.35
 [time]
 end = "1 s"
 )",
-                                    p.viscosity, p.diameter, p.youngs_modulus),
-                        "extremes");
+                     p.viscosity, diameter, p.youngs_modulus);
+}
+
+Scene extreme_scene(const ExtremePoint& p, double step) {
+  Scene s = parse_scene(spheres_in_liquid(p, p.diameter), "extremes");
   const double d = p.diameter, half = 1.6 * d;
   s.box.present = true;
   s.box.min = {-half, -half, 0}, s.box.max = {half, half, 8 * d};

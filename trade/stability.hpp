@@ -25,6 +25,9 @@ struct ExtremePoint {
 /// Spread evenly over the logarithms of the axes (multiples of roots of primes). \param number  from 1 on
 ExtremePoint extreme_point(int number);
 
+/// Fluid, particles, contact law and end of its scene, as text. \param diameter  of the spheres [m]
+std::string spheres_in_liquid(const ExtremePoint& point, double diameter);
+
 /// Its scene, without particles. \param step  0: not known yet [s]
 Scene extreme_scene(const ExtremePoint& point, double step);
 

@@ -24,7 +24,8 @@ constexpr double channel_width = 3.2, neck_width = 0.8, channel_length = 10;  //
 Scene channel_scene(const ExtremePoint& p) {
   const double d = p.diameter;
   // The diameter is set afterwards: a neck that no sphere passes is refused, and is what holds this column.
-  return parse_scene(fmt::format(R"(
+  const std::string channel =
+      fmt::format(R"(
 [geometry]
 neck_width = "{} m"
 neck_height = "{} m"
@@ -36,25 +37,14 @@ neck_length = "{} m"
 source = "openfoam"
 mean_velocity = "{} m/s"
 extrapolate = false
-[fluid]
-viscosity = "{} Pa s"
-density = "1062 kg/m3"
-[particles]
-diameter = "{} m"
-[contact]
-youngs_modulus = "{} Pa"
-poisson_ratio = 0.35
 [drag]
 velocity = "mixture"
 [porosity]
 method = "local"
 width = "{} m"
-[time]
-end = "1 s"
 )",
-                                 neck_width * d, channel_width * d, channel_width * d, channel_length * d, 2 * d,
-                                 p.velocity, p.viscosity, 0.5 * d, p.youngs_modulus, 1.5 * d),
-                     "extremes");
+                  neck_width * d, channel_width * d, channel_width * d, channel_length * d, 2 * d, p.velocity, 1.5 * d);
+  return parse_scene(channel + spheres_in_liquid(p, 0.5 * d), "extremes");
 }
 
 /// What a scene of a box has too.

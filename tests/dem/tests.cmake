@@ -21,7 +21,8 @@ clog_tests(test_fluid_parts
           dem/fluid/test_oscillation.cpp
   LIBRARIES clog_dem LABELS unit)
 clog_tests(test_channel_parts
-  SOURCES dem/run/test_inlet.cpp dem/run/test_refusals.cpp dem/stability/test_shaking.cpp dem/stability/test_step_limit.cpp
+  SOURCES dem/run/test_inlet.cpp dem/run/test_refusals.cpp dem/stability/test_shaking.cpp dem/stability/test_network_limit.cpp
+          dem/stability/test_step_limit.cpp
           dem/run/test_model_refusals.cpp dem/plan/test_disk_use.cpp dem/plan/test_plan.cpp dem/run/test_stl_scene.cpp dem/run/test_flow_fit.cpp
           dem/run/test_release_region.cpp dem/protocol/test_supply_watch.cpp
   LIBRARIES clog_dem LABELS unit)

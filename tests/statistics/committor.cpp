@@ -1,5 +1,5 @@
-// Is a clog foreseen in the state before it? Takes one state of each burst and follows copies of it that were pushed by
-// far less than an overlap: docs/reports/bridging.md. A line of CSV on standard output for each copy;
+// Is a clog foreseen in the state before it? Takes one state of each burst and follows copies of it, each centre pushed
+// by at most a small share of a diameter: docs/reports/bridging.md. A line of CSV on standard output for each copy;
 // number 0 is the run itself, not pushed.
 
 #include <cstdio>

@@ -10,8 +10,8 @@
 
 namespace clogflow::test {
 
-/// Moves each centre by at most `amount` along x, y and z each [m]. Contacts keep their springs, so a push far below
-/// the overlaps changes no force that could be measured.
+/// Moves each centre by at most `amount` along x, y and z each [m]. Contacts keep their springs: a push far below
+/// the overlaps changes no force that could be measured, one as large as they are begins with other forces.
 void push(Particles& particles, double amount, RandomStream random);
 
 /// A state and the run that it is of.

@@ -7,6 +7,7 @@
 
 #include "coupling/base/source_folder.hpp"
 #include "coupling/base/text_file.hpp"
+#include "coupling/files/run_file.hpp"
 #include "tests/coupling/refusal.hpp"
 #include "tests/faults/small_channel.hpp"
 #include "trade/fidelity.hpp"
@@ -94,6 +95,69 @@ TEST(TradeCompare, UsesAllOfBothAndDrawsPairsTogether) {
   EXPECT_NEAR(paired.high, 0.1, 1e-12);
   // The error of a mean of 20 independent pieces that are 1 off: 1/sqrt(20), of its logarithm a mean-th of that.
   EXPECT_NEAR(spread_of(named("mean_burst"), bursts_of(8, 1), 0).error, 1 / std::sqrt(20) / 8, 0.002);
+}
+
+/// A run of ten Stokes times: three pass about 1 tau, then nothing until two pass about 6 tau, then nothing.
+RunData ten_stokes_times() {
+  const Scene scene = small_channel({"inlet.start=filled"});
+  const double tau = scene.stokes_time();
+  RunData run;
+  run.seed = 3;
+  run.scene_text = effective_scene(scene);
+  run.end_time = 10 * tau;
+  run.record.fill_time = 0;
+  run.record.particle_steps = 1e6;
+  run.record.processor_time = 4;
+  run.record.time_step = 0.3, run.record.contact_limit = 0.5;
+  for (const double t : {1.0, 1.2, 1.4, 6.0, 6.2}) {
+    run.passages.time.push_back(t * tau);
+    run.passages.id.push_back(static_cast<std::int64_t>(run.passages.id.size()));
+    run.passages.y.push_back(0), run.passages.z.push_back(0), run.passages.friction_off.push_back(0);
+  }
+  // Before the first passage, flowing, too early in an arrest, late in it, flowing, late in the next.
+  for (const double t : {0.5, 1.1, 3.0, 4.0, 6.1, 9.0}) {
+    const auto k = static_cast<std::int64_t>(run.series.time.size());
+    run.series.time.push_back(t * tau);
+    run.series.count.push_back(10);
+    run.series.contacts.push_back(10 + k);
+    run.series.porosity.push_back({0.9, 0.9, 0.5 + 0.01 * static_cast<double>(k)});
+    for (auto* column : {&run.series.packing_fraction, &run.series.kinetic_energy, &run.series.elastic_energy,
+                         &run.series.largest_overlap, &run.series.drag_work, &run.series.dissipated,
+                         &run.series.median_speed, &run.series.speed_q99})
+      column->push_back(0);
+    run.series.wall_contacts.push_back(0);
+  }
+  return run;
+}
+
+TEST(TradeSample, TakesPackingFromTheFlowAndContactsFromTheClog) {
+  const ScratchFolder scratch;
+  write_run_file(ten_stokes_times(), scratch.path() / "run_0003.h5");
+  const Sample sample = read_sample(scratch.path());
+  RowMean packing, contacts;
+  double passages = 0;
+  for (const Piece& piece : sample.pieces) {
+    packing.sum += piece.packing_while_flowing.sum, packing.rows += piece.packing_while_flowing.rows;
+    contacts.sum += piece.contacts_at_rest.sum, contacts.rows += piece.contacts_at_rest.rows;
+    passages += piece.totals.passages;
+  }
+  EXPECT_EQ(passages, 5);
+  EXPECT_EQ(packing.rows, 2);
+  EXPECT_NEAR(packing.sum, (1 - 0.51) + (1 - 0.54), 1e-12);  // of the last strip
+  EXPECT_EQ(contacts.rows, 2);
+  EXPECT_NEAR(contacts.sum, 2 * 1.3 + 2 * 1.5, 1e-12);  // each contact is one of two particles
+  EXPECT_EQ(sample.processor_seconds, 4);
+  EXPECT_DOUBLE_EQ(sample.mean_step, 0.6);
+  EXPECT_DOUBLE_EQ(sample.largest_step, 0.6);
+}
+
+TEST(TradeSample, SaysWhatARecordLacks) {
+  const ScratchFolder scratch;
+  RunData run = ten_stokes_times();
+  run.record.processor_time.reset();
+  write_run_file(run, scratch.path() / "run_0003.h5");
+  EXPECT_THAT(refusal([&] { read_sample(scratch.path()); }),
+              HasSubstr("run_0003.h5: its record has no processor_time_s (made by another program?)"));
 }
 
 /// Settings whose burst follows exp(2 + 0.1 softness - 0.2 mass) to an error of 1 %.

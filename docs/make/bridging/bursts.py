@@ -3,6 +3,7 @@
 import csv
 
 import numpy as np
+from whole_file import rewritten  # beside this folder, on the path of its scripts
 
 RESAMPLES = 4000
 
@@ -40,7 +41,7 @@ def log_error(fair):
 
 def write_sizes(file, points):
     """A line for each seed: point, seed, sizes. \\param points  name -> seed -> sizes"""
-    with file.open("w", newline="") as out:
+    with rewritten(file) as out:
         writer = csv.writer(out)
         writer.writerow(["point", "seed", "sizes of the bursts [1]"])
         for name, fair in points.items():

@@ -13,6 +13,7 @@ from bursts import fair_sizes, write_sizes
 from law import campaign_sizes
 from points import NECK, POINTS
 from stats_files import Statistics
+from whole_file import rewritten
 
 
 def statistics_of(program, folder):
@@ -39,7 +40,7 @@ def first_clogs(folder):
 
 
 def put(file, head, lines):
-    with file.open("w", newline="") as out:
+    with rewritten(file) as out:
         writer = csv.writer(out)
         writer.writerow(head)
         writer.writerows(lines)

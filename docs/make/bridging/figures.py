@@ -8,6 +8,11 @@ import matplotlib.pyplot as plt  # noqa: E402
 from steps import NAMED, RANGE  # noqa: E402
 
 
+def save(figure, file):
+    figure.savefig(file, dpi=130)
+    plt.close(figure)
+
+
 def draw_law(lines, curve, file):
     """Left: all of the table. Right: what a smooth curve leaves, and where steps were looked for."""
     figure, (left, right) = plt.subplots(1, 2, figsize=(10, 4), constrained_layout=True)
@@ -36,8 +41,7 @@ def draw_law(lines, curve, file):
                 right.axvline(place, color=f"C{k}", ls=(":", "--", "-.", "-")[k], lw=1, label=name if place == places[0] else None)
     right.set(xlabel="D/d", ylabel="mean burst over the smooth curve - 1 (%)")
     right.legend(fontsize=6)
-    figure.savefig(file, dpi=130)
-    plt.close(figure)
+    save(figure, file)
 
 
 def draw_arches(counts, file):
@@ -53,8 +57,7 @@ def draw_arches(counts, file):
     axes.plot(x, x + 1, "k--", lw=1, label="D/d + 1")
     axes.set(xlabel="D/d", ylabel="particles of a clog (mean, standard deviation)")
     axes.legend(fontsize=7)
-    figure.savefig(file, dpi=130)
-    plt.close(figure)
+    save(figure, file)
 
 
 def draw_copies(curves, file):
@@ -64,5 +67,4 @@ def draw_copies(curves, file):
         axes.plot(lags, shares, "o-", ms=3, lw=1, label=label)
     axes.set(xlabel="particles passed since the push", ylabel="share of copies still like the run", ylim=(-0.02, 1.04))
     axes.legend(fontsize=7)
-    figure.savefig(file, dpi=130)
-    plt.close(figure)
+    save(figure, file)

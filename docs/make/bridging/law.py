@@ -5,6 +5,7 @@ import math
 
 from bursts import fair_sizes, mean_of, read_sizes
 from points import FULL, POINTS
+from whole_file import rewritten
 
 UNITS = {"D/d": "1", "half angle": "deg", "sliding friction": "1", "rolling friction": "1", "torsion friction": "1", "concentration fed": "1",
          "packing near the neck": "1", "bursts": "1", "particles passed": "1", "mean burst": "1", "mean burst low": "1", "mean burst high": "1",
@@ -109,7 +110,7 @@ def friction_rows(file):
 def write_law(reports):
     lines = own_rows(reports / "bridging") + campaign_rows(reports / "bridging") + friction_rows(reports / "friction/map.csv")
     lines.sort(key=lambda r: (r[HEAD[1]], [-f for f in (r[HEAD[2]], r[HEAD[3]], r[HEAD[4]])], str(r[HEAD[5]]), r[HEAD[0]]))
-    with (reports / "bridging/law.csv").open("w", newline="") as out:
+    with rewritten(reports / "bridging/law.csv") as out:
         writer = csv.DictWriter(out, HEAD, restval="")
         writer.writeheader()
         for line in lines:

@@ -4,6 +4,7 @@ import subprocess
 from pathlib import Path
 
 from points import COPIES, POINTS, SCENE
+from whole_file import rewritten
 
 ROOT = Path(__file__).resolve().parents[3]
 
@@ -42,4 +43,5 @@ def run_copies(program, folder):
                                    f"particles.diameter={diameter} um", f"time.end={end} s", "output.snapshot_interval=1000 s"],
                                   check=True, capture_output=True, text=True)
             lines += done.stdout.splitlines()
-    out.write_text("\n".join(lines) + "\n")
+    with rewritten(out) as file:
+        file.write("\n".join(lines) + "\n")

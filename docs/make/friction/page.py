@@ -10,6 +10,7 @@ import numpy as np
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 from cells import CELLS, words  # noqa: E402
+from whole_file import rewritten  # noqa: E402
 
 NECK = 100  # um
 
@@ -111,7 +112,7 @@ def draw(rows, file):
 def write_page(folder, out):
     rows = collect(folder)
     out.mkdir(parents=True, exist_ok=True)
-    with (out / "map.csv").open("w", newline="") as file:
+    with rewritten(out / "map.csv") as file:
         writer = csv.DictWriter(file, rows[0].keys())
         writer.writeheader()
         for row in rows:

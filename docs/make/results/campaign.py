@@ -7,7 +7,7 @@ import tomllib
 from pathlib import Path
 
 FIGURES = Path(__file__).resolve().parents[3] / "postprocess" / "figures"
-sys.path.insert(0, str(FIGURES))
+sys.path[:0] = [str(FIGURES), str(Path(__file__).resolve().parents[1])]
 
 from stats_files import Statistics  # noqa: E402  (found through the line above)
 

@@ -20,6 +20,7 @@ import matplotlib
 import matplotlib.pyplot as plt
 import style
 from stats_files import Statistics
+from whole_file import rewritten  # from docs/make, likewise
 
 HERE = Path(__file__).resolve().parent
 REPORTS = HERE.parents[1] / "reports"
@@ -250,7 +251,8 @@ def main():
         sweeps=other_campaigns(campaign) + other_sweeps(campaign),
         numerics=numerics(campaign.points[0].group),
         arguments=" ".join(["campaign", *(["SWEEP ..."] if count > 1 else [])]), not_covered=not_covered(campaign))
-    (REPORTS / "results.md").write_text(shown(page).rstrip("\n") + "\n", encoding="utf-8")
+    with rewritten(REPORTS / "results.md") as file:
+        file.write(shown(page).rstrip("\n") + "\n")
 
 
 if __name__ == "__main__":

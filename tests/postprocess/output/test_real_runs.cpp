@@ -52,8 +52,9 @@ protected:
 };
 
 TEST_F(RealRun, records_every_name_that_is_read_again) {
-  for (const auto entry : {&RunRecord::wall_time, &RunRecord::fill_time, &RunRecord::time_step,
-                           &RunRecord::contact_limit, &RunRecord::particle_steps, &RunRecord::particle_steps_per_s})
+  for (const auto entry :
+       {&RunRecord::wall_time, &RunRecord::processor_time, &RunRecord::fill_time, &RunRecord::time_step,
+        &RunRecord::contact_limit, &RunRecord::particle_steps, &RunRecord::particle_steps_per_s})
     EXPECT_GT((data_.record.*entry).value_or(0), 0) << entry_name(entry);
   EXPECT_TRUE(data_.record.inputs_hash);
 }

@@ -1,0 +1,18 @@
+"""Tables and pages that a full disk or a kill leaves as they were, or new; never cut in two."""
+
+import contextlib
+import os
+
+
+@contextlib.contextmanager
+def rewritten(path):
+    """A text file to write in the place of `path`, which it replaces when all of it is on the disk."""
+    part = path.with_name(path.name + ".part")
+    try:
+        with part.open("w", encoding="utf-8", newline="") as file:
+            yield file
+            file.flush()
+            os.fsync(file.fileno())
+        part.replace(path)
+    finally:
+        part.unlink(missing_ok=True)
