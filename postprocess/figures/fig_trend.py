@@ -7,6 +7,7 @@ import style
 from lengths import unit_of
 
 CUT = ("cut by releases", "cut by the stop")  # arrests whose exponent is no property of the clogs
+UNFITTED = ("mostly empty", *CUT)
 DISPLAY = {"rad": ("deg", 180 / np.pi), "s": ("ms", 1e3)}
 
 
@@ -42,7 +43,7 @@ def draw_point(axes, x, entry, colour, marker="o"):
     elif entry["value"] is not None:
         if entry["low"] is not None:
             axes.plot([x, x], [entry["low"], entry["high"]], color=colour, lw=1)
-        face = "white" if entry["status"] in CUT else colour
+        face = "white" if entry["status"] in UNFITTED else colour
         axes.plot(x, entry["value"], marker, ms=5, color=colour, mfc=face)
 
 

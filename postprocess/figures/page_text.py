@@ -105,9 +105,9 @@ def three_of_group(group):
 
 def of_point(point, statistics):
     mean, label = dict(point["mean_burst"]), statistics.groups[point["group"]]["label"]
-    if mean["status"] != "measured":
+    if mean["status"] not in ("measured", "mostly empty"):
         mean["value"] = None
-    mean["note"] = {"lower bound": "95 % lower bound: no clog", "measured": "the wider of bootstrap over seeds and exact counts"}.get(mean["status"], mean["status"])
+    mean["note"] = {"lower bound": "95 % lower bound: no clog", "mostly empty": "mostly empty: more than half of the releases let nothing pass", "measured": "the wider of bootstrap over seeds and exact counts"}.get(mean["status"], mean["status"])
     return card(f"passages per clog ⟨s⟩ at {label}, {mean['stops']} clogs", mean)
 
 

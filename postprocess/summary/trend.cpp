@@ -30,7 +30,8 @@ void add_mean_burst(TrendPoint& point, const RunGroup& group, const Totals& tota
   point.stops = static_cast<std::size_t>(stops ? totals.first_clogs : all_stops(totals));
   point.passages = static_cast<std::size_t>(stops ? totals.until_first : all_escaped(totals));
   if (point.stops > 0) {
-    point.mean_burst = {widest(mean, totals), PointStatus::measured};
+    const bool blocks = numbers.of("share_failed").whole.value > 0.5;  // NaN without a release
+    point.mean_burst = {widest(mean, totals), blocks ? PointStatus::mostly_empty : PointStatus::measured};
   } else {
     point.mean_burst = {mean.quantity->counted(totals, level),
                         point.passages > 0 ? PointStatus::lower_bound : PointStatus::no_passage};
@@ -146,6 +147,8 @@ const char* name(PointStatus status) {
       return "lower bound";
     case PointStatus::upper_bound:
       return "upper bound";
+    case PointStatus::mostly_empty:
+      return "mostly empty";
     case PointStatus::cut_by_releases:
       return "cut by releases";
     case PointStatus::cut_by_stop:

@@ -13,7 +13,16 @@
 namespace clogflow::postprocess {
 
 /// What is known of a number in a point of the sweep.
-enum class PointStatus { measured, lower_bound, upper_bound, cut_by_releases, cut_by_stop, no_passage, no_arrest };
+enum class PointStatus {
+  measured,
+  lower_bound,
+  upper_bound,
+  mostly_empty,  ///< more than half of the releases let nothing pass: the neck blocks, and `<s>` is of the few others
+  cut_by_releases,
+  cut_by_stop,
+  no_passage,
+  no_arrest
+};
 
 /// "measured", "lower bound", ...
 const char* name(PointStatus status);
@@ -71,9 +80,11 @@ struct Trend {
 /// A point without a clog has a lower bound only. Laws, fitted by fit_line to the logarithms:
 ///   `<s>` = A exp(b x), x = (D/d)^3 when D/d varies, otherwise the swept key
 ///   alpha = A exp(b x), x = D/d or the key
-/// Points with a bound alone are not fitted but compared with the law. Arrests that releases or the stop at a clog cut
-/// do not enter the law of alpha: their range ends where the protocol ends it. \param numbers group_statistics of each
-/// group \source Thomas & Durian 2015, Phys. Rev. Lett. 114:178001 (exponential in (D/d)^dimension)
+/// Points with a bound alone are not fitted but compared with the law. A neck that blocks (mostly empty) is not fitted
+/// either: bursts of none do not count in `<s>`, so its `<s>` is near 1 whatever the law. Arrests that releases or the
+/// stop at a clog cut do not enter the law of alpha: their range ends where the protocol ends it. \param numbers
+/// group_statistics of each group \source Thomas & Durian 2015, Phys. Rev. Lett. 114:178001 (exponential in
+/// (D/d)^dimension)
 Trend trend(const std::vector<RunGroup>& groups, const std::vector<GroupStatistics>& numbers);
 
 }  // namespace clogflow::postprocess

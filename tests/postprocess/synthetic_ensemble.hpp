@@ -20,6 +20,7 @@ struct SyntheticEnsemble {
   double alpha = 2.5;
   double end = 1.5;                  ///< [s]
   double snapshot_interval = 0.002;  ///< [s]; 0: none
+  double empty = 0;                  ///< share of the releases that nothing follows
   std::string more = {};             ///< further lines of the scene
   Overrides overrides = {};          ///< of its keys
 };
@@ -140,16 +141,18 @@ inline RunData synthetic_run(const SyntheticEnsemble& ensemble, std::uint64_t se
       break;
     }
     const double arrest = 0.5 * tau * std::pow(1.0 - random.uniform(), -1.0 / (ensemble.alpha - 1.0));
-    const double start = by_release ? t + scene.unclog.after + 0.1 * tau : t + arrest;
+    double start = by_release ? t + scene.unclog.after + 0.1 * tau : t + arrest;
     snapshots_until(start, 0.0);
     t = start;
-    if (by_release && start + off < run.end_time) {
+    while (by_release && start + off < run.end_time) {
       run.releases.off.push_back(start);
       run.releases.on.push_back(start + off);
       run.releases.largest_speed.push_back(1e-7);
       run.releases.position.push_back(0);
       if (random.uniform() < 0.7 && off > 0) add_passage(run, start + 0.3 * off, 1);
       t = start + off + 0.2 * tau;
+      if (ensemble.empty == 0 || random.uniform() >= ensemble.empty) break;
+      start = t + scene.unclog.after;
     }
   }
   add_series(run, 0.1 * tau, random);

@@ -69,8 +69,8 @@ def points(campaign):
     return table(head, rows)
 
 
-def law(fit):
-    """The fit of <s> in words; the refusal when there is none."""
+def law(fit, trend):
+    """The fit of <s> along a sweep in words; the refusal when there is none."""
     if "refused" in fit:
         return f"No law fitted: {fit['refused']}."
     text = (f"Law through {fit['points']} points: <s> = A exp(b {fit['x']}), b = {estimate(fit['b'])}, ln A = {estimate(fit['ln_A'])}; chi squared "
@@ -79,6 +79,9 @@ def law(fit):
         text += (f" The points scatter by {number(fit['extra_scatter'], 2)} in ln<s> beyond their errors, which the weights and the "
                  "intervals include.")
     for out in fit["left_out"]:
+        if out["status"] == "mostly empty":
+            x = next(p["x"] for p in trend["points"] if p["group"] == out["group"])
+            text += f" Left out: {trend['variable']['name']} = {number(x)}, where more than half of the restarts let nothing pass (the law gives {number(out['law'])} there)."
         if "agrees" in out:
             text += f" A point with a {out['status']} is {'respected' if out['agrees'] else '**not** respected'}: the law gives {number(out['law'])} there."
     return text
@@ -155,9 +158,8 @@ def other_sweep(sweep):
              estimate(group["quantities"]["flow_rate_flowing"]), f"{100 * group['quantities']['share_censored']['value']:.0f} %"]
             for value, point, group in zip(sweep.values(), sweep.points, sweep.groups)]
     head = [f"`{sweep.key}`", "seeds", "clogs / passages", "<s>", "passages per second of flow", "arrests that are permanent"]
-    fit = sweep.trend["series"][0]["mean_burst"]
     return (f"### `{sweep.key}` at D/d = {number(sweep.ratio)}\n\n{numerics(sweep.groups[0])}.\n\n{table(head, rows)}\n\n![<s> along the sweep](results/{name})\n\n"
-            f"{law(fit)}\n\n")
+            f"{law(sweep.trend['series'][0]['mean_burst'], sweep.trend)}\n\n")
 
 
 def other_sweeps(campaign):
@@ -212,7 +214,7 @@ def other_verdicts(campaign, other):
 
 
 def other_campaigns(campaign):
-    return "".join(f"## With {condition(campaign, other)}\n\n{beside(campaign, other)}\n\n{law(other.fit['mean_burst'])}{other_verdicts(campaign, other)}\n\n"
+    return "".join(f"## With {condition(campaign, other)}\n\n{beside(campaign, other)}\n\n{law(other.fit['mean_burst'], other.trend)}{other_verdicts(campaign, other)}\n\n"
                    for other in campaign.others)
 
 
@@ -245,7 +247,7 @@ def main():
     fit = campaign.fit["mean_burst"]
     head = ["claim", "ours (D/d: value)", "agrees?"]
     page = Template((HERE / "template.md.in").read_text(encoding="utf-8")).substitute(
-        summary=summary(campaign), missing=missing(campaign), points=points(campaign), law=law(fit) + rivals(fit), memory=memory(campaign),
+        summary=summary(campaign), missing=missing(campaign), points=points(campaign), law=law(fit, campaign.trend) + rivals(fit), memory=memory(campaign),
         rewind=rewind(campaign), bias=bias(campaign), order=order(campaign),
         claims=table(head, claims.rows(campaign)), trends=table(head, trends_of_experiments.rows(campaign)),
         sweeps=other_campaigns(campaign) + other_sweeps(campaign),

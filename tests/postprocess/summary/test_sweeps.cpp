@@ -3,6 +3,7 @@
 #include <cmath>
 #include <fstream>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -116,6 +117,31 @@ TEST_F(Sweeps, a_point_that_never_clogs_has_a_lower_bound_only) {
   EXPECT_FALSE(fit.at("left_out")[0].at("agrees").get<bool>());
   EXPECT_TRUE(fit.at("left_out")[1].at("agrees").get<bool>());
   EXPECT_THAT(trend.at("without_runs"), ElementsAre("particles.diameter=22um"));
+}
+
+TEST_F(Sweeps, a_neck_that_blocks_is_shown_but_belongs_to_no_law) {
+  const auto add_released = [&](int diameter_um, double mean_burst, double empty) {
+    add(fmt::format("particles.diameter={}um", diameter_um), {.diameter = fmt::format("{} um", diameter_um),
+                                                              .protocol = "release",
+                                                              .mean_burst = mean_burst,
+                                                              .end = 8,
+                                                              .empty = empty,
+                                                              .more = {},
+                                                              .overrides = {"unclog.after=50 ms"}});
+  };
+  for (const int diameter : {50, 40, 33}) add_released(diameter, 3 * std::exp(0.05 * std::pow(100.0 / diameter, 3)), 0);
+  // Three quarters of the releases let nothing pass; the bursts that are not empty have more particles than the law.
+  add_released(70, 8, 0.75);
+  const json trend = statistics().at("trend");
+  const json& fit = trend.at("series")[0].at("mean_burst");
+  EXPECT_EQ(fit.at("points"), 3);
+  expect_inside(fit.at("b"), 0.05, 0.015);
+  const json& blocked = trend.at("points")[0];  // by D/d
+  EXPECT_EQ(blocked.at("mean_burst").at("status"), "mostly empty");
+  expect_inside(blocked.at("mean_burst"), 8, 2);
+  ASSERT_EQ(fit.at("left_out").size(), 1U);
+  EXPECT_EQ(fit.at("left_out")[0].at("group"), 0);
+  EXPECT_FALSE(fit.at("left_out")[0].contains("agrees"));
 }
 
 TEST_F(Sweeps, any_other_key_and_what_follows_from_it) {
