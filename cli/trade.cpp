@@ -43,13 +43,15 @@ void combine_studies(const TradeOptions& options) {
 void run_on(const TradeOptions& options, Ranks& ranks) {
   trade::Study study{options.scene, options.overrides, nullptr, options.out, budget_seconds(options.budget),
                      &stop_asked,   options.settings};
-  if (!options.step_from.empty()) study.step_slopes = trade::read_step_slopes(options.step_from);
+  if (!options.step_from.empty())
+    study.step_slopes = trade::read_step_slopes(options.step_from, read_scene(options.scene, options.overrides));
   FlowGrid flow;
   ranks.together([&] {
     if (ranks.is_first() && !options.flow.empty()) flow = read_flow_grid(options.flow);
     trade::check_study(study);
   });
   if (!options.flow.empty()) study.flow = &(flow = shared_flow(flow, ranks));
+  ranks.together([&] { trade::check_runs(study); });
   trade::run_study(study, ranks, [](const std::string& line) { print_words("{}\n", line); });
   ranks.part();
   if (!ranks.is_first()) return;

@@ -6,6 +6,7 @@
 #include "coupling/base/require.hpp"
 #include "trade/knobs.hpp"
 #include "trade/study_file.hpp"
+#include "trade/unlike.hpp"
 
 namespace clogflow::trade {
 
@@ -52,12 +53,14 @@ const Measured& chosen(const Scene& scene, const MeasuredStudy& study, const std
 
 std::string note_on(const Measured& setting, const MeasuredStudy& study, const Scene& scene) {
   const double ratio = scene.geometry.neck_width / scene.particles.diameter;
+  const std::string other = unlike(study.scene, scene);
   return fmt::format(
       "fidelity: setting {}, within {:.2g} % of the paper's particles by the law of the trade study at D/d = "
       "{:.3g}{}, {:.2g} core-seconds a clog there{}: {}",
       setting.name, 100 * setting.within, study.neck_ratio,
       ratio > 1.001 * study.neck_ratio ? " (nothing was measured at a larger one)" : "", setting.seconds,
-      scene.drag.law == "hoef" ? "" : " (measured with drag.law = \"hoef\")", fmt::join(setting.overrides, " "));
+      other.empty() ? "" : fmt::format(" (not measured for this scene: the study had {})", other),
+      fmt::join(setting.overrides, " "));
 }
 
 }  // namespace

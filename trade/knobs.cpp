@@ -29,11 +29,13 @@ void add_doses(std::vector<Setting>& all) {
   const auto add = [&](const char* name, const char* knob, const Overrides& more, const char* against = base_name) {
     all.push_back({name, knob, against, Kind::dose, base_with(more)});
   };
-  constexpr const char *share50 = "time.contact_limit_share=0.5", *share80 = "time.contact_limit_share=0.8",
-                       *tau50 = "time.step_fraction=0.02";
+  constexpr const char *share35 = "time.contact_limit_share=0.35", *share50 = "time.contact_limit_share=0.5",
+                       *share80 = "time.contact_limit_share=0.8", *tau50 = "time.step_fraction=0.02";
   add("gpa3", "the paper's particles",
       {"contact.youngs_modulus=3 GPa", "time.mass_scale=1", "time.rotational_inertia_scale=1", tau50}, "");
   add("3GPa_m30_limit70", "Young's modulus x 300", {"contact.youngs_modulus=3 GPa"});
+  // Half the step, whose share of the Hertz time is that of softer particles.
+  add("3GPa_m30_limit35", "Young's modulus x 300 and step", {"contact.youngs_modulus=3 GPa", share35});
   add("100MPa_m30_limit50", "Young's modulus x 10 and step", {"contact.youngs_modulus=100 MPa", share50});
   add("30MPa_m30_limit50", "Young's modulus x 3 and step", {"contact.youngs_modulus=30 MPa", share50});
   add("30MPa_m30_limit70", "Young's modulus x 3", {"contact.youngs_modulus=30 MPa"});

@@ -23,6 +23,7 @@ using Presets = std::map<std::string, std::string>;  ///< preset -> setting
 /// One diameter in one neck.
 struct MeasuredStudy {
   double neck_ratio = 0;                ///< D/d [-]
+  std::string scene = {};               ///< as effective_scene() made it
   std::vector<Measured> settings = {};  ///< doses whose bound is known
   Presets presets = {};
 };

@@ -117,7 +117,7 @@ StudyResults study_results(const Study& study) {
 }
 
 MeasuredStudy measured_study(const StudyResults& results) {
-  MeasuredStudy study{.neck_ratio = results.neck_ratio};
+  MeasuredStudy study{.neck_ratio = results.neck_ratio, .scene = results.scene};
   for (const SettingResult& o : results.settings)
     if (o.within)
       study.settings.push_back({.name = o.setting.name,

@@ -6,6 +6,7 @@
 #include "coupling/base/publish_file.hpp"
 #include "coupling/base/require.hpp"
 #include "coupling/base/text_file.hpp"
+#include "ensemble/seed_files.hpp"
 
 namespace clogflow::trade {
 
@@ -52,6 +53,19 @@ std::string refusal_of(const Study& study, const Setting& setting) {
 }
 
 void check_study(const Study& study) { settings_to_run(study, read_scene(study.scene_file, study.overrides)); }
+
+void check_runs(const Study& study) {
+  const Scene base = read_scene(study.scene_file, study.overrides);
+  require(study.flow || base.flow.source != FlowSource::openfoam,
+          "{}: flow.source = \"openfoam\" needs the flow: give --flow flow.h5", study.scene_file.string());
+  for (const Setting& setting : settings_for(base)) {
+    const Ensemble ensemble{scene_of(study, setting), study.flow, folder_of(study, setting)};
+    if (!fs::exists(ensemble.directory)) continue;
+    const std::string inputs = inputs_hash(ensemble);
+    check_directory(ensemble, inputs);
+    for (const std::uint64_t seed : base.ensemble.seeds) find_done(ensemble, owner_of(ensemble, inputs, seed));
+  }
+}
 
 void run_study(const Study& study, Ranks& ranks, const std::function<void(const std::string&)>& say) {
   using Clock = std::chrono::steady_clock;

@@ -35,6 +35,10 @@ std::filesystem::path folder_of(const Study& study, const Setting& setting);
 /// \throws Error if `only` names an unknown setting, or the scene is none
 void check_study(const Study& study);
 
+/// What is there was made for this scene, this flow and not for longer, so that it may be gone on with or evaluated.
+/// \throws Error naming the file
+void check_runs(const Study& study);
+
 /// Runs what is missing: seed by seed, so that whenever the budget ends the settings have equal seeds.
 /// Finished runs are kept, interrupted ones go on; a setting that the program refuses leaves the
 /// reason in its folder and is not tried again. Rank 0 says it all. All ranks together. \throws Error as check_study

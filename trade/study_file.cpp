@@ -9,6 +9,7 @@
 #include "coupling/base/json_text.hpp"
 #include "coupling/base/require.hpp"
 #include "coupling/base/text_file.hpp"
+#include "trade/unlike.hpp"
 
 namespace clogflow::trade {
 namespace {
@@ -100,8 +101,8 @@ constexpr const char *any_format = "clogflow trade ", *format = "clogflow trade 
 
 bool is_study(const json& study) {
   return study.is_object() && has_text(study, "format") && study["format"] == format &&
-         has_number(study, "neck_ratio") && study.contains("settings") && study["settings"].is_array() &&
-         std::ranges::all_of(study["settings"], is_setting);
+         has_number(study, "neck_ratio") && has_text(study, "scene") && study.contains("settings") &&
+         study["settings"].is_array() && std::ranges::all_of(study["settings"], is_setting);
 }
 
 json study_in(const std::filesystem::path& file) {
@@ -155,15 +156,18 @@ std::string study_text(const StudyResults& results) {
 
 MeasuredStudy read_study(const std::filesystem::path& file) {
   const json read = study_in(file);
-  MeasuredStudy study{.neck_ratio = read["neck_ratio"]};
+  MeasuredStudy study{.neck_ratio = read["neck_ratio"], .scene = read["scene"]};
   for (const json& entry : read["settings"])
     if (entry.contains("within")) study.settings.push_back(measured_of(entry));
   study.presets = presets_of(study.settings);
   return study;
 }
 
-std::map<std::string, KnownSlope> read_step_slopes(const std::filesystem::path& file) {
+std::map<std::string, KnownSlope> read_step_slopes(const std::filesystem::path& file, const Scene& scene) {
   const json study = study_in(file);
+  const std::string other = unlike(study["scene"], scene);
+  require(other.empty(), "--step-from {}: is of another scene ({}): give a study that differs in the diameter alone",
+          file.string(), other);
   std::map<std::string, KnownSlope> slopes;
   const json responses = study.value("responses", json::object());
   for (const auto& [key, response] : responses.items()) {
@@ -178,11 +182,12 @@ std::map<std::string, KnownSlope> read_step_slopes(const std::filesystem::path& 
 
 std::string measured_text(std::vector<MeasuredStudy> studies) {
   std::ranges::sort(studies, {}, &MeasuredStudy::neck_ratio);
-  json file{{"format", "clogflow measured 2"}, {"studies", json::array()}};
+  json file{{"format", "clogflow measured 3"}, {"studies", json::array()}};
   for (const MeasuredStudy& study : studies) {
     json settings = json::array();
     for (const Measured& m : study.settings) settings.push_back(json_of(m));
-    file["studies"].push_back({{"neck_ratio", study.neck_ratio}, {"settings", settings}, {"presets", study.presets}});
+    file["studies"].push_back(
+        {{"neck_ratio", study.neck_ratio}, {"scene", study.scene}, {"settings", settings}, {"presets", study.presets}});
   }
   return file.dump(1) + "\n";
 }
@@ -191,7 +196,9 @@ std::vector<MeasuredStudy> parse_measured(const std::string& text) {
   std::vector<MeasuredStudy> studies;
   const json file = json::parse(text);
   for (const json& entry : file.at("studies")) {
-    MeasuredStudy study{.neck_ratio = entry.at("neck_ratio"), .presets = entry.at("presets").get<Presets>()};
+    MeasuredStudy study{.neck_ratio = entry.at("neck_ratio"),
+                        .scene = entry.at("scene"),
+                        .presets = entry.at("presets").get<Presets>()};
     for (const json& setting : entry.at("settings")) study.settings.push_back(measured_of(setting));
     studies.push_back(study);
   }

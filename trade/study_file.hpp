@@ -14,8 +14,9 @@ std::string study_text(const StudyResults& results);
 /// trade.json, read back for --combine. \throws Error naming the file, unless it holds what the program chooses from
 MeasuredStudy read_study(const std::filesystem::path& file);
 
-/// By observable: the response to the step in a trade.json. \throws Error naming the file, unless it has one
-std::map<std::string, KnownSlope> read_step_slopes(const std::filesystem::path& file);
+/// By observable: the response to the step in a trade.json. \throws Error naming the file, unless it has one and is of
+/// this scene with another diameter
+std::map<std::string, KnownSlope> read_step_slopes(const std::filesystem::path& file, const Scene& scene);
 
 /// measured.json of several studies together, by rising D/d.
 std::string measured_text(std::vector<MeasuredStudy> studies);

@@ -23,9 +23,11 @@ namespace {
 
 using nlohmann::json;
 using testing::HasSubstr;
+using testing::Not;
 using namespace clogflow::trade;
 
-const std::filesystem::path paper = clogflow::source_folder() / "scenes" / "paper.toml";
+const std::filesystem::path paper = clogflow::source_folder() / "scenes" / "paper.toml",
+                            campaign = clogflow::source_folder() / "scenes" / "campaign.toml";
 
 /// Twenty pieces with 10 bursts each, of sizes that waver by `spread` around `mean`.
 Sample bursts_of(double mean, double spread) {
@@ -216,20 +218,23 @@ TEST(TradeResponse, TakesTheStepFromAnotherStudy) {
 TEST(TradeResponse, ReadsTheStepOfAStudyOrSaysWhyNot) {
   const ScratchFolder scratch;
   const auto file = scratch.path() / "trade.json";
-  StudyResults results;
+  const Scene scene = read_scene(paper, {});
+  StudyResults results{.scene = effective_scene(scene)};
   results.responses["mean_burst"] = fit_response(lawful_answers(), false);
   std::ofstream(file) << study_text(results);
-  const auto slopes = read_step_slopes(file);
+  const auto slopes = read_step_slopes(file, read_scene(paper, {"particles.diameter=25 um"}));
   ASSERT_EQ(slopes.size(), 1u);
   EXPECT_NEAR(slopes.at("mean_burst").value, 0, 1e-12);
   EXPECT_EQ(slopes.at("mean_burst").error, results.responses["mean_burst"].error[2]);
+  EXPECT_THAT(refusal([&] { read_step_slopes(file, read_scene(paper, {"contact.friction.sliding=0.5"})); }),
+              HasSubstr("is of another scene (contact.friction.sliding = 0.6, now 0.5)"));
   results.responses.clear();
   std::ofstream(file) << study_text(results);
-  EXPECT_THAT(refusal([&] { read_step_slopes(file); }), HasSubstr("this study found no response to the step"));
+  EXPECT_THAT(refusal([&] { read_step_slopes(file, scene); }), HasSubstr("this study found no response to the step"));
   json damaged = json::parse(study_text(results));
   damaged["responses"]["mean_burst"]["step"] = 3;
   std::ofstream(file) << damaged;
-  EXPECT_THAT(refusal([&] { read_step_slopes(file); }), HasSubstr("not a trade.json of clog trade, or damaged"));
+  EXPECT_THAT(refusal([&] { read_step_slopes(file, scene); }), HasSubstr("not a trade.json of clog trade, or damaged"));
 }
 
 TEST(TradeResponse, RefusesSettingsThatCannotTell) {
@@ -350,9 +355,23 @@ TEST(Fidelity, AToleranceChoosesTheCheapestWithinIt) {
               HasSubstr("(no setting was measured to be so near at D/d = "));
 }
 
+TEST(Fidelity, SaysForWhichSceneNothingWasMeasured) {
+  const auto note = [](Overrides keys) {
+    keys.emplace_back("fidelity.preset=fast");
+    return read_resolved_scene(campaign, keys).note;
+  };
+  EXPECT_THAT(note({"particles.diameter=47 um", "geometry.neck_width=90 um", "contact.youngs_modulus=1 GPa"}),
+              Not(HasSubstr("not measured for this scene")));
+  EXPECT_THAT(
+      note({"contact.friction.sliding=0.4", "drag.law=stokes"}),
+      HasSubstr("(not measured for this scene: the study had contact.friction.sliding = 0.6, now 0.4, drag.law = "
+                "\"hoef\", now \"stokes\")"));
+  EXPECT_THAT(note({"geometry.half_angle=45 deg", "contact.friction.rolling=0", "contact.friction.torsion=0",
+                    "contact.restitution=0.5"}),
+              testing::AllOf(HasSubstr("geometry.half_angle = "), HasSubstr(" and 1 keys more)")));
+}
+
 TEST(Fidelity, RefusesWhatItDoesNotKnow) {
-  EXPECT_THAT(read_resolved_scene(paper, {"fidelity.preset=fast", "drag.law=stokes"}).note,
-              HasSubstr("(measured with drag.law = \"hoef\")"));
   for (const char* wish : {"fidelity.preset=fast", "fidelity.tolerance=0.05"})
     EXPECT_THAT(refusal([&] {
                   read_resolved_scene(paper, {wish, "contact.turning=mercury"});
@@ -382,6 +401,7 @@ protected:
   StudyResults evaluate(double budget) {
     study_.budget = budget;
     Ranks ranks;
+    check_runs(study_);
     run_study(study_, ranks, [this](const std::string& line) { said_.push_back(line); });
     return study_results(study_);
   }
@@ -432,6 +452,24 @@ TEST_F(ToyStudy, ReportsWhatItRanAndWhatItDidNotAndGoesOn) {
   const std::size_t lines = said_.size();
   evaluate(0);
   for (std::size_t k = lines; k < said_.size(); ++k) EXPECT_THAT(said_[k], HasSubstr("already done"));
+}
+
+TEST_F(ToyStudy, RefusesRunsOfAnotherSceneAndOfALongerOne) {
+  study_.only = {"10MPa_m30_limit70"};
+  const auto runs = folder_of(study_, {.name = "10MPa_m30_limit70"});
+  for (int calls = 0; calls < 20 && !std::filesystem::exists(runs / "run_0001.h5"); ++calls) evaluate(1 + calls);
+  const auto asked_with = [&](const char* key) {
+    study_.overrides = {key};
+    return refusal([this] { evaluate(0); });
+  };
+  EXPECT_THAT(asked_with("contact.friction.sliding=0.3"),
+              testing::AllOf(HasSubstr("run_0001.h5: was made for another scene (contact.friction.sliding"),
+                             HasSubstr("give another --out")));
+  EXPECT_THAT(asked_with("time.end=3 ms"), HasSubstr("run_0001.h5: is longer than what is asked for"));
+  study_.overrides = {};
+  study_.flow = nullptr;
+  EXPECT_THAT(refusal([this] { evaluate(0); }),
+              HasSubstr("toy.toml: flow.source = \"openfoam\" needs the flow: give --flow flow.h5"));
 }
 
 TEST_F(ToyStudy, RefusesASettingThatItDoesNotKnow) {
