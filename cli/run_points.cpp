@@ -39,12 +39,20 @@ SharedGrid flow_for(RunPoint& point, const RunSource& source, SharedGrid& file) 
   return std::make_shared<const FlowGrid>(std::move(rescaled.grid));
 }
 
+std::vector<std::uint64_t> seeds_asked(const std::string& text) {
+  try {
+    return parse_seeds(text);
+  } catch (const Error& error) {
+    throw Error(fmt::format("--seeds {}", error.what()));
+  }
+}
+
 RunPoint read_point(const RunSource& source, const SweepPoint& at, SharedGrid& file) {
   Overrides overrides = source.overrides;
   overrides.insert(overrides.end(), at.overrides.begin(), at.overrides.end());
   auto [scene, fidelity] = trade::read_resolved_scene(source.scene, overrides);
   RunPoint point{.folder = at.folder, .scene = std::move(scene), .flow = {}, .note = fidelity, .inputs = ""};
-  if (source.seeds) point.scene.ensemble.seeds = parse_seeds(*source.seeds);
+  if (source.seeds) point.scene.ensemble.seeds = seeds_asked(*source.seeds);
   point.flow = flow_for(point, source, file);
   // What is wrong with the scene is wrong for every seed: say it once, before any run begins.
   const std::vector<Particle> initial = read_initial_particles(point.scene);

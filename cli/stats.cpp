@@ -11,6 +11,7 @@
 #include "coupling/base/units.hpp"
 #include "coupling/scene/unclog_protocol.hpp"
 #include "ensemble/ranks.hpp"
+#include "postprocess/events/run_groups.hpp"
 #include "postprocess/output/statistics_files.hpp"
 #include "postprocess/output/statistics_json.hpp"
 
@@ -48,6 +49,7 @@ void print_verdicts(const postprocess::GroupStatistics& group) {
   const auto& spread = group.bursts.spread;
   if (spread && spread->verdict.ruled_out) print_result("  s: geometric law {}\n", spread->verdict.words);
   if (group.burst_order && group.burst_order->depends) print_result("  s: {}\n", group.burst_order->words);
+  if (const std::string words = cut_off_words(group); !words.empty()) print_result("  s: {}\n", words);
 }
 
 /// Passages until the first clog, in one line: nothing else is known of runs that end there.
@@ -144,6 +146,10 @@ void add_stats(CLI::App& app) {
     if (!ranks.is_first()) return;
     if (!threshold->empty()) job->threshold = threshold_seconds(*threshold);
     const auto statistics = postprocess::write_statistics(*job);
+    if (const auto states = postprocess::unfinished_seeds(job->folders); !states.empty())
+      print_note(
+          fmt::format("{} seeds have not ended and are left out, such as {}: the same `clog run` goes on with them",
+                      states.size(), states.front().string()));
     if (json_wanted()) return print_json(postprocess::as_json(statistics));
     print_summary(statistics);
     print_trend(statistics);

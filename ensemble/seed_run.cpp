@@ -1,5 +1,6 @@
 #include "ensemble/seed_run.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -74,8 +75,11 @@ const char* early_end(const RunRecord& record) {
 }
 
 std::string summary(const RunData& run) {
-  return fmt::format("{:.4g} s simulated in {:.1f} s, {:.3g} particle-steps/s, {} passages, {} releases{}",
-                     run.end_time, *run.record.wall_time, *run.record.particle_steps_per_s, run.passages.time.size(),
+  const auto& off = run.passages.friction_off;
+  const auto without_friction = std::count(off.begin(), off.end(), 1);
+  return fmt::format("{:.4g} s simulated in {:.1f} s, {:.3g} particle-steps/s, {} passages{}, {} releases{}",
+                     run.end_time, *run.record.wall_time, *run.record.particle_steps_per_s, off.size(),
+                     without_friction > 0 ? fmt::format(" ({} of them without friction)", without_friction) : "",
                      run.releases.off.size(), early_end(run.record));
 }
 

@@ -152,6 +152,23 @@ std::vector<fs::path> find_run_files(const fs::path& folder) {
   return files;
 }
 
+std::vector<fs::path> unfinished_seeds(const std::vector<fs::path>& folders) {
+  std::set<fs::path> states;
+  for (const fs::path& folder : folders) {
+    if (!fs::is_directory(folder)) continue;
+    std::set<fs::path> within{folder};
+    for (const auto& entry : fs::directory_iterator(folder))
+      if (entry.is_directory()) within.insert(entry.path());
+    for (const fs::path& one : within)
+      for (const auto& entry : fs::directory_iterator(one)) {
+        const fs::path& file = entry.path();
+        if (file.extension() != ".state" || !file.filename().string().starts_with("run_")) continue;
+        if (!fs::exists(fs::path(file).replace_extension(".h5"))) states.insert(file);
+      }
+  }
+  return {states.begin(), states.end()};
+}
+
 std::vector<std::string> points_without_runs(const fs::path& folder) {
   std::vector<std::string> points;
   if (!fs::is_directory(folder)) return points;

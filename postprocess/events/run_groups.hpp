@@ -27,6 +27,9 @@ struct RunGroup {
 /// \throws Error when there is none
 std::vector<std::filesystem::path> find_run_files(const std::filesystem::path& folder);
 
+/// Saved states of seeds in these folders, or one folder below, that have not ended: nothing tells of them otherwise.
+std::vector<std::filesystem::path> unfinished_seeds(const std::vector<std::filesystem::path>& folders);
+
 /// Points of a sweep ("key=value") right below a folder that hold no run file yet, in order of name.
 std::vector<std::string> points_without_runs(const std::filesystem::path& folder);
 

@@ -1,6 +1,7 @@
 """What the page says in words: the runs in one sentence, three numbers, methods, the flow's error, how to cite and to repeat."""
 
 import json
+import re
 import tomllib
 
 import h5py
@@ -186,7 +187,9 @@ def methods(statistics, common):
 
     def given(section, key, otherwise=None):
         value = scene.get(section, {}).get(key, otherwise)
-        return value.replace(" um", " µm") if isinstance(value, str) else value
+        if not isinstance(value, str):
+            return value
+        return re.sub(r"\d+\.\d{7,}", lambda exact: f"{float(exact[0]):.6g}", value).replace(" um", " µm")
 
     ratio = f" (D/d = {span([g['geometry']['neck_ratio'] for g in statistics.groups if 'neck_ratio' in g['geometry']], 1, '')})" if "neck_ratio" in shape else ""
     friction = scene.get("contact", {}).get("friction", {})

@@ -99,6 +99,7 @@ std::vector<std::string> notes(const RunGroup& group, const GroupStatistics& num
                     "their passages all the same",
                     numbers.first_burst.jammed_starts, numbers.first_burst.seeds));
   if (numbers.burst_order && numbers.burst_order->depends) notes.push_back(numbers.burst_order->words);
+  if (std::string words = cut_off_words(numbers); !words.empty()) notes.push_back(std::move(words));
   if (!group.necks.empty())
     notes.push_back(
         fmt::format("{} necks side by side: without a word a number is of all together, so that a clog is one of all "
@@ -114,6 +115,19 @@ const QuantityStatistics& GroupStatistics::of(const std::string& key) const {
   const auto found = std::ranges::find(quantities, key, [](const auto& each) { return each.quantity->key; });
   require(found != quantities.end(), "no quantity {}", key);
   return *found;
+}
+
+std::string cut_off_words(const GroupStatistics& numbers) {
+  constexpr double few = 0.1;
+  const Estimate &whole = numbers.of("mean_burst").whole, &all = numbers.of("mean_burst_memoryless").whole;
+  const std::size_t cut = numbers.bursts.cut_off, bursts = numbers.bursts.counted + cut;
+  const bool many = static_cast<double>(cut) > few * static_cast<double>(bursts);
+  if (cut == 0 || !std::isfinite(whole.value) || !(all.value > whole.value)) return "";
+  if (!many && !(all.value > whole.high)) return "";
+  return fmt::format(
+      "the end of the runs cut {} of {} bursts off, long ones more often: <s> leaves them out and is too small; over "
+      "all passages and clogs it is {:.3g} [{:.3g}, {:.3g}] (mean_burst_memoryless)",
+      cut, bursts, all.value, all.low, all.high);
 }
 
 GroupStatistics group_statistics(const RunGroup& group, const StatisticsRequest& request) {

@@ -50,6 +50,10 @@ struct GroupStatistics {
   const QuantityStatistics& of(const std::string& key) const;
 };
 
+/// Why `<s>` over whole bursts (mean_burst) is too small: the end of a run cuts long bursts more often than short ones.
+/// Nothing where the mean of every passage and every clog lies within its interval and few bursts were cut.
+std::string cut_off_words(const GroupStatistics& numbers);
+
 /// Without a label, which depends on the other ensembles.
 GroupStatistics group_statistics(const RunGroup& group, const StatisticsRequest& request);
 

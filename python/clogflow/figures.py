@@ -128,8 +128,9 @@ def series(source: "Source", group: int = 0) -> "Figure":
 
 
 def save(figure: "Figure", folder: str | Path, name: str) -> list[Path]:
-    """As PNG, SVG and PDF, as the report does; closes the figure. Returns the paths."""
+    """As PNG, SVG and PDF, as the report does; makes the folder if need be and closes the figure. Returns the paths."""
     import matplotlib
     style = scripts()["style"]
+    Path(folder).mkdir(parents=True, exist_ok=True)
     with matplotlib.rc_context(style.LOOK):
         return style.save(figure, folder, name)

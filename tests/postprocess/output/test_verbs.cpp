@@ -110,6 +110,37 @@ TEST(Stats, one_line_for_runs_that_stop_at_their_first_clog) {
   EXPECT_THAT(stats.output, HasSubstr("of 40 clogs stood more than a neck width upstream of the neck: not the neck's"));
 }
 
+TEST(Stats, says_when_the_end_of_short_runs_cut_long_bursts_off) {
+  const auto said = [](double end) {
+    const auto runs = write_ensemble(temporary("clog_verbs_cut"),
+                                     {.protocol = "release",
+                                      .mean_burst = 60,
+                                      .end = end,
+                                      .snapshot_interval = 0,
+                                      .more = {},
+                                      .overrides = {"unclog.after=5 ms"}},
+                                     20);
+    return clog({"stats", runs, "--out", temporary("clog_verbs_cut_stats"), "--p-value", "0"}).output;
+  };
+  EXPECT_THAT(said(0.1), HasSubstr("bursts off, long ones more often: <s> leaves them out and is too small; over all "
+                                   "passages and clogs it is "));
+  EXPECT_THAT(said(4), testing::Not(HasSubstr("too small")));
+}
+
+TEST(Stats, names_seeds_that_have_not_ended) {
+  const auto runs = write_ensemble(temporary("clog_verbs_unfinished"), {.end = 0.3, .more = {}}, 2);
+  const auto call = [&] {
+    return clog({"stats", runs, "--out", temporary("clog_verbs_unfinished_stats"), "--p-value", "0"});
+  };
+  for (const char* state : {"run_0001.state", "ahead_0004.state"}) std::ofstream(runs / state) << "bytes";
+  EXPECT_THAT(call().output, testing::Not(HasSubstr("have not ended")));
+  std::ofstream(runs / "run_0003.state") << "bytes";
+  const auto stats = call();
+  EXPECT_EQ(stats.status, 0);
+  EXPECT_THAT(stats.output, HasSubstr("1 seeds have not ended and are left out, such as " +
+                                      (runs / "run_0003.state").string() + ": the same `clog run` goes on with them"));
+}
+
 TEST(Stats, a_link_that_leads_nowhere_is_named) {
   const std::filesystem::path folder = temporary("dangling");
   std::filesystem::create_directories(folder);
@@ -117,6 +148,13 @@ TEST(Stats, a_link_that_leads_nowhere_is_named) {
   const auto refused = clog({"stats", folder, "--out", temporary("stats")});
   EXPECT_EQ(refused.status, 1);
   EXPECT_EQ(refused.output, "clog: " + (folder / "run_0001.h5").string() + " (no such file)\n");
+}
+
+TEST(Run, names_the_option_whose_seeds_are_none) {
+  const auto scene = (source_folder() / "scenes" / "paper.toml").string();
+  const auto refused = clog({"run", scene, "--out", temporary("no_seeds"), "--seeds", "3-1"});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_EQ(refused.output, "clog: --seeds \"3-1\" (the range 3-1 runs backwards)\n");
 }
 
 TEST(Stats, threshold_needs_a_time) {
