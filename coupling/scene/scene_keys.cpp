@@ -197,8 +197,8 @@ std::vector<Key> make_keys() {
       NUMBER(output.series_interval, time, positive, "time between rows of the time series; default a tenth of the Stokes time"),
       NUMBER(output.checkpoint_interval, time, positive, "wall-clock time between saved states; default 60 s"),
 
-      TEXT(fidelity.preset, "named set of cheaper or better numerics; default none"),
-      NUMBER(fidelity.tolerance, number, (Range{.low = 0, .high = 1, .high_allowed = false}), "wanted accuracy; default 0: none"),
+      TEXT(fidelity.preset, "stiffness, mass and step by name: \"standard\" (within 5 % of the paper's particles), \"fast\" (within 10 %) or \"reference\" (those particles); default none"),
+      NUMBER(fidelity.tolerance, number, (Range{.low = 0, .high = 1, .high_allowed = false}), "take the cheapest stiffness, mass and step whose <s>, flow rate and packing are within this share of the paper's particles; default 0: none"),
 
       Key{"ensemble.seeds", SeedsSlot{AT(ensemble.seeds)}, "random seeds, one run each: \"1-40\" or [1, 2, 3]; default 1"},
       Key{"ensemble.sweep", TextsSlot{AT(ensemble.sweep)}, "keys and their values, a folder for each point: [\"particles.diameter = 25 um, 33 um\"]; default none"},
