@@ -39,7 +39,12 @@ void add_doses(std::vector<Setting>& all) {
   add("100MPa_m30_limit50", "Young's modulus x 10 and step", {"contact.youngs_modulus=100 MPa", share50});
   add("30MPa_m30_limit50", "Young's modulus x 3 and step", {"contact.youngs_modulus=30 MPa", share50});
   add("30MPa_m30_limit70", "Young's modulus x 3", {"contact.youngs_modulus=30 MPa"});
+  add("30MPa_m3_limit50", "Young's modulus x 3, mass / 10 and step",
+      {"contact.youngs_modulus=30 MPa", "time.mass_scale=3", share50});
+  add("30MPa_m10_limit70", "Young's modulus x 3 and mass / 3", {"contact.youngs_modulus=30 MPa", "time.mass_scale=10"});
   add("10MPa_m1_limit70", "mass", {"time.mass_scale=1"});
+  add("10MPa_m3_limit70", "mass", {"time.mass_scale=3"});
+  add("10MPa_m10_limit70", "mass", {"time.mass_scale=10"});
   add("base_tau50", "step", {tau50});
   add(base_name, "Young's modulus, mass, moment of inertia and step", {}, "gpa3");
   add("10MPa_m30_limit50", "step", {share50});

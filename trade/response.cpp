@@ -35,6 +35,8 @@ Doses doses_of(const Scene& scene, double step_over_limit) {
           step_over_limit * step_over_limit};
 }
 
+bool is_small(const Doses& doses) { return doses.mass <= 1; }
+
 Difference Response::from_paper(const Doses& doses, bool is_share) const {
   const std::array<double, 3> here = in_order(doses, overlap_power),
                               paper = in_order({softness_of(paper_modulus), 1 / reference_mass, 0}, overlap_power);

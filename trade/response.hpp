@@ -21,6 +21,10 @@ struct Doses {
 
 inline constexpr std::array<const char*, 3> dose_names{"softness", "mass", "step"};
 
+/// Whether the law of first order speaks of this mass. Beyond some 30 its effect saturates: at D/d = 2.13 the packing
+/// of a column that flows without friction is 0.38, 0.38, 0.39, 0.42, 0.47, 0.50 for masses of 1, 3, 10, 30, 100, 300.
+bool is_small(const Doses& doses);
+
 /// \param step_over_limit  as measured, mean over the runs
 Doses doses_of(const Scene& scene, double step_over_limit);
 

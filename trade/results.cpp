@@ -37,12 +37,13 @@ Cost cost_of(const Sample& sample) {
           .mean_step = sample.mean_step};
 }
 
-bool is_dose(const SettingResult& one) {
-  return one.setting.kind == Kind::dose && one.cost && one.cost->clogs >= least_clogs;
-}
-
 Doses doses_in(const Study& study, const SettingResult& one) {
   return doses_of(scene_of(study, one.setting), one.cost->mean_step);
+}
+
+/// Whether the law is fitted to it and speaks of it.
+bool is_dose(const Study& study, const SettingResult& one) {
+  return one.setting.kind == Kind::dose && one.cost && one.cost->clogs >= least_clogs && is_small(doses_in(study, one));
 }
 
 /// One response an observable, through all doses that ran, and what each of these is by it.
@@ -51,7 +52,7 @@ void add_responses(StudyResults& results, const Study& study, const Scene& base,
   for (const Observable& observable : compared(base)) {
     std::vector<Answer> answers;
     for (const SettingResult& one : results.settings)
-      if (is_dose(one))
+      if (is_dose(study, one))
         answers.push_back({doses_in(study, one), spread_of(observable, samples.at(one.setting.name), usual)});
     const auto step = study.step_slopes.find(observable.key);
     results.responses[observable.key] = fit_response(
@@ -59,7 +60,7 @@ void add_responses(StudyResults& results, const Study& study, const Scene& base,
         observable.overlap_power);
   }
   for (SettingResult& one : results.settings) {
-    if (!is_dose(one)) continue;
+    if (!is_dose(study, one)) continue;
     one.within = 0;
     for (const Observable& observable : compared(base)) {
       const Difference d = results.responses.at(observable.key).from_paper(doses_in(study, one), observable.is_share);

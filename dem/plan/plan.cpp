@@ -110,7 +110,9 @@ void judge_fluid(const Scene& s, const Judge& term) {
     const double stokes =
         response_time(sphere, drag_law(s).slow_factor(pack_porosity)) * s.time.mass_scale * v / sphere.diameter;
     term({"particle inertia", "St = t_response v / d, mass scale included", stokes, stokes > largest_inertia, true,
-          stokes > largest_inertia ? "mass scaled too far" : "irrelevant: mass may be scaled up"});
+          stokes > largest_inertia  ? "mass scaled too far"
+          : stokes > unseen_inertia ? "some per cent of <s> and packing: docs/reports/trade.md"
+                                    : "irrelevant: mass may be scaled up"});
     const double impact = collision_stokes_number(sphere, collision_speed_share * v);
     term({"dry restitution", "St of a collision", impact, impact > 10, true, "irrelevant below 10"});
     term({"lubrication", "roughness gap 2 xi / d", 2 * s.particles.roughness / sphere.diameter,

@@ -5,4 +5,5 @@ clog_tests(test_pushed_copies
 add_executable(committor statistics/committor.cpp statistics/pushed_copies.cpp)
 target_link_libraries(committor PRIVATE clog_dem)
 add_test(NAME bridging_parts COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/statistics/test_bridging)
-set_tests_properties(bridging_parts PROPERTIES SKIP_RETURN_CODE 77 LABELS unit TIMEOUT ${test_time_limit})
+add_test(NAME first_clog_law COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/statistics/test_first_clog_law)
+set_tests_properties(bridging_parts first_clog_law PROPERTIES SKIP_RETURN_CODE 77 LABELS unit TIMEOUT ${test_time_limit})

@@ -252,6 +252,8 @@ TEST(TradeResponse, DosesAreOneAtTheBase) {
   EXPECT_NEAR(doses_of(base, 0.7).softness, 1, 1e-12);
   EXPECT_NEAR(doses_of(base, 0.7).step, 0.49, 1e-12);
   EXPECT_EQ(doses_of(base, 0.7).mass, 1);
+  EXPECT_TRUE(is_small(doses_of(base, 0.7)));
+  EXPECT_FALSE(is_small(doses_of(read_scene(paper, {"time.mass_scale=31"}), 0.7)));
   const Scene soft = read_scene(paper, {"contact.youngs_modulus=1.25 MPa"});
   EXPECT_NEAR(doses_of(soft, 0.7).softness, 4, 1e-12);  // 8^(2/3)
 }

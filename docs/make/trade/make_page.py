@@ -64,6 +64,24 @@ def against(study, kinds, observed=OBSERVED):
     return table(["setting", "against", "clogs", "value of `<s>`", *(f"{named(key)}, difference" for key in observed)], rows)
 
 
+def masses(study):
+    """What the mass alone does: <s>, clogs and packing of the settings that differ in it, in words."""
+    rows = [study.settings[f"10MPa_m{m}_limit70"] for m in (1, 3, 10, 30, 100, 300)]
+
+    def listed(texts):
+        return ", ".join(texts[:-1]) + " and " + texts[-1]
+    return {"mass_means": listed([f"{r['differences']['mean_burst']['value']:.2f}" for r in rows]),
+            "mass_packings": listed([f"{r['differences']['packing_near_neck']['value']:.3f}" for r in rows]),
+            "mass_clogs": listed([f"{r['clogs']:.0f}" for r in rows])}
+
+
+def paper_particles(study):
+    """How far the campaign's numerics are from the paper's particles, directly and by the law."""
+    base = study.settings["10MPa_m30_limit70"]
+    return {f"{kind}_{name}": interval(base[where][key]) for kind, where in (("gpa3", "differences"), ("law", "from_paper"))
+            for name, key in (("mean", "mean_burst"), ("packing", "packing_near_neck"))}
+
+
 def grids(study):
     rows = [[r["name"], f"{100 * r['force']:.2g} %", f"{100 * r['path']:.2g} %"] for r in study.data["short"] if r["name"].startswith("grid")]
     return table(["grid of the flow, 2 um times", "error of the forces", "of the way in tau/10"], rows)
@@ -74,7 +92,7 @@ def main():
     measured = json.loads((ROOT / "trade" / "measured.json").read_text(encoding="utf-8"))
     template = (ROOT / "docs" / "make" / "trade" / "template.md.in").read_text(encoding="utf-8")
     page = Template(template).substitute(
-        presets=presets(measured), responses=responses(studies), doses="\n\n".join(f"D/d = {s.ratio:.3g}\n\n{doses(s)}" for s in studies),
+        **masses(studies[0]), **paper_particles(studies[0]), presets=presets(measured), responses=responses(studies), doses="\n\n".join(f"D/d = {s.ratio:.3g}\n\n{doses(s)}" for s in studies),
         direct="\n\n".join(f"D/d = {s.ratio:.3g}\n\n{against(s, ('dose',))}" for s in studies),
         numerics=against(studies[0], ("numerics",)), physics=against(studies[0], ("physics",)), grids=grids(studies[0]),
         spread=responses([Study("s47")]))

@@ -46,6 +46,19 @@ TEST(Plan, WarnsOfWholeLayersAndKnowsWhatDecides) {
   EXPECT_THAT(warnings(smooth), IsEmpty());
 }
 
+TEST(Plan, TellsWhenParticlesAreTooHeavy) {
+  // 0.0724 ms / f(0.55) = 15.5, x 5 mm/s / 47 um = 0.0005 for each unit of mass: seen from 11 on, too much from 202 on.
+  const auto reason = [](int mass) {
+    return term_named(
+               make_plan(cheap_paper_scene({"particles.diameter=47 um", fmt::format("time.mass_scale={}", mass)})),
+               "particle inertia")
+        .reason;
+  };
+  EXPECT_THAT(reason(1), HasSubstr("irrelevant"));
+  EXPECT_THAT(reason(30), HasSubstr("some per cent of <s> and packing"));
+  EXPECT_EQ(reason(300), "mass scaled too far");
+}
+
 TEST(Dimensionless, ReynoldsOfThePaper) {
   // 1062 x 5e-3 x 1e-4 / 1.8e-3
   EXPECT_NEAR(reynolds_number(1062, 5e-3, 1e-4, 1.8e-3), 0.295, 1e-12);
