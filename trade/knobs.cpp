@@ -37,6 +37,8 @@ void add_doses(std::vector<Setting>& all) {
   // Half the step, whose share of the Hertz time is that of softer particles.
   add("3GPa_m30_limit35", "Young's modulus x 300 and step", {"contact.youngs_modulus=3 GPa", share35});
   add("100MPa_m30_limit50", "Young's modulus x 10 and step", {"contact.youngs_modulus=100 MPa", share50});
+  add("100MPa_m3_limit50", "Young's modulus x 10, mass / 10 and step",
+      {"contact.youngs_modulus=100 MPa", "time.mass_scale=3", share50});
   add("30MPa_m30_limit50", "Young's modulus x 3 and step", {"contact.youngs_modulus=30 MPa", share50});
   add("30MPa_m30_limit70", "Young's modulus x 3", {"contact.youngs_modulus=30 MPa"});
   add("30MPa_m3_limit50", "Young's modulus x 3, mass / 10 and step",

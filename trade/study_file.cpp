@@ -165,8 +165,9 @@ MeasuredStudy read_study(const std::filesystem::path& file) {
 
 std::map<std::string, KnownSlope> read_step_slopes(const std::filesystem::path& file, const Scene& scene) {
   const json study = study_in(file);
-  const std::string other = unlike(study["scene"], scene);
-  require(other.empty(), "--step-from {}: is of another scene ({}): give a study that differs in the diameter alone",
+  const std::string other = unlike(study["scene"], scene, "particles.size_");  // a step acts on contacts
+  require(other.empty(),
+          "--step-from {}: is of another scene ({}): give a study that differs in the sizes of particles alone",
           file.string(), other);
   std::map<std::string, KnownSlope> slopes;
   const json responses = study.value("responses", json::object());

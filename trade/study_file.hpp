@@ -15,7 +15,7 @@ std::string study_text(const StudyResults& results);
 MeasuredStudy read_study(const std::filesystem::path& file);
 
 /// By observable: the response to the step in a trade.json. \throws Error naming the file, unless it has one and is of
-/// this scene with another diameter
+/// this scene with other sizes of particles
 std::map<std::string, KnownSlope> read_step_slopes(const std::filesystem::path& file, const Scene& scene);
 
 /// measured.json of several studies together, by rising D/d.

@@ -50,11 +50,12 @@ bool only_follows(const SceneDifference& wall, const std::vector<SceneDifference
 
 }  // namespace
 
-std::string unlike(const std::string& studied, const Scene& scene) {
+std::string unlike(const std::string& studied, const Scene& scene, std::string_view but) {
   const std::vector<SceneDifference> all = scene_differences(studied, effective_scene(scene));
   std::vector<std::string> words;
   for (const SceneDifference& difference : all)
-    if (counts(difference) && !only_follows(difference, all)) words.push_back(difference.words());
+    if (counts(difference) && (but.empty() || !difference.key.starts_with(but)) && !only_follows(difference, all))
+      words.push_back(difference.words());
   const std::size_t more = words.size() - std::min(words.size(), shown);
   words.resize(words.size() - more);
   return fmt::format("{}{}", fmt::join(words, ", "), more ? fmt::format(" and {} keys more", more) : "");

@@ -222,7 +222,8 @@ TEST(TradeResponse, ReadsTheStepOfAStudyOrSaysWhyNot) {
   StudyResults results{.scene = effective_scene(scene)};
   results.responses["mean_burst"] = fit_response(lawful_answers(), false);
   std::ofstream(file) << study_text(results);
-  const auto slopes = read_step_slopes(file, read_scene(paper, {"particles.diameter=25 um"}));
+  const auto slopes =
+      read_step_slopes(file, read_scene(paper, {"particles.diameter=25 um", "particles.size_spread=0.03"}));
   ASSERT_EQ(slopes.size(), 1u);
   EXPECT_NEAR(slopes.at("mean_burst").value, 0, 1e-12);
   EXPECT_EQ(slopes.at("mean_burst").error, results.responses["mean_burst"].error[2]);

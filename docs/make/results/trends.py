@@ -1,11 +1,15 @@
 """What experiments found, beside ours: rows as those of claims.py, from the campaign and from what other pages measured."""
 
 import csv
+import sys
 
 from campaign import FIGURES, number
 from claims import ABSENT, AGREES, DIFFERS, OPEN, PARTLY, clogs_above_three, exponential_mean, longer_flow
 
 REPORTS = FIGURES.parents[1] / "docs" / "reports"
+sys.path.insert(0, str(REPORTS.parent / "make" / "experiment"))
+
+from first_clog_law import points as thin_suspensions  # noqa: E402  (found through the line above)
 
 
 def read(file):
@@ -96,9 +100,20 @@ def bridges(_):
             AGREES if all(leasts) else PARTLY if all(means) else DIFFERS)
 
 
+def poisson(_):
+    """Beads until the first clog of a thin suspension: without a memory if the interval of Weibull's exponent holds 1."""
+    points = [p for p in thin_suspensions() if p.mass == 1 and p.shape()]
+    if not points:
+        return "-", ABSENT
+    said = "; ".join(f"{number(p.ratio)} at {100 * p.concentration:g} %: {p.shape()[0]:.2f} [{p.shape()[1]:.2f}, {p.shape()[2]:.2f}]" for p in points)
+    holds = [p.shape()[1] <= 1 <= p.shape()[2] for p in points]
+    return f"exponent of Weibull's law, 1 without memory: {said} ([experiment.md](experiment.md))", AGREES if all(holds) else PARTLY if any(holds) else DIFFERS
+
+
 TRENDS = [
     ("<s> grows with D/d (Souzy & Marin 2022)", longer_flow),
     ("no clog for D/d > 3 even at a packing of 60 % (Marin et al. 2018)", clogs_above_three),
+    ("a thin suspension clogs as a Poisson process (Marin et al. 2018)", poisson),
     ("the share of clogging states falls exponentially in (width)^dimension, without a sharp end (Thomas & Durian 2015)", exponential_mean),
     ("alpha does not depend on the flow rate (Souzy & Marin 2022)", rate),
     ("alpha grows with D/d (Souzy & Marin 2022)", lambda c: ("under a random drag of one strength it does, under a pulsation of the flow it does not ([arches.md](arches.md))", OPEN)),
