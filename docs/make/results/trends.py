@@ -87,6 +87,8 @@ def rate(_):
 def bridges(_):
     sizes = {}
     for r in read("bridging/arches.csv"):
+        if not r["point"].startswith(("size_", "again_")):  # the base: other angles and frictions make other arches
+            continue
         sizes.setdefault(float(r["D/d [1]"]), []).append(float(r["centred before the opening [1]"]))
     if not sizes:
         return "-", ABSENT
