@@ -93,7 +93,7 @@ def pretend_solved(case):
     (case / "solved").write_text((case / "hash").read_text())
 
 
-STUDY = {"format": "clogflow trade 2", "diameter": 33e-6, "neck_ratio": 3.03, "reference": "a",
+STUDY = {"format": "clogflow trade 2", "scene": "", "diameter": 33e-6, "neck_ratio": 3.03, "reference": "a",
          "settings": [{"name": "a", "kind": "dose", "overrides": [], "seconds_per_clog": 1, "within": 0,
                        "step_over_limit": 0.5}]}
 
