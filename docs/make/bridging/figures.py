@@ -31,7 +31,8 @@ def draw_law(lines, curve, file):
             continue
         left.errorbar(line["D/d [1]"], mean, [[mean - low], [high - mean]], **style, ms=4, ls="", lw=1, label=first)
     left.set(yscale="log", xlabel="D/d", ylabel="particles until the clog")
-    left.legend(fontsize=5.5, title="friction", title_fontsize=6, ncols=2)
+    left.set_ylim(bottom=0.2)  # room below for the legend
+    left.legend(fontsize=5.5, title="friction", title_fontsize=6, ncols=2, loc="lower right")
     rest = 100 * (np.exp(curve.logs - curve.smooth()) - 1)
     right.errorbar(curve.ratios, rest, 196 * curve.errors, fmt="o", color="k", ms=4, capsize=2)
     right.axhline(0, color="0.6", lw=0.8)

@@ -35,7 +35,7 @@ class Point:
         return [word for key, value in keys.items() for word in ("--set", f"{key}={value}")]
 
 
-FINE = (2.05, 2.2, 2.3, 2.4, 2.6, 2.7, 2.8, 2.9, 3.2)
+FINE = (2.05, 2.2, 2.3, 2.4, 2.6, 2.7, 2.8, 2.9, 3.1, 3.2, 3.3, 3.4)
 SMALL = NECK / 47
 WEAK, SLIDING = (0.6, 0.1, 0.1), (0.6, 0, 0)
 
@@ -43,9 +43,9 @@ POINTS = {
     **{f"size_{ratio:g}": Point(ratio, "1-10", 1.1 if ratio < 2.5 else 1.0) for ratio in FINE},
     "longer_28": Point(NECK / 28, "1-15", 3.2),  # in the place of the campaign's two seeds
     "again_33": Point(NECK / 33, "101-102", 0.4, again=True),
-    **{f"angle_{angle}_{um}": Point(NECK / um, "1-10", 1.0, angle=angle) for um in (47, 33) for angle in (30, 45, 75)},
-    **{f"weak_{um}": Point(NECK / um, seeds, end, WEAK) for um, seeds, end in ((47, "1-10", 2.4), (40, "1-10", 2.3), (33, "1-8", 3.2))},
-    **{f"sliding_{um}": Point(NECK / um, "1-10", 1.0, SLIDING) for um in (47, 33)},
+    **{f"angle_{angle}_{um}": Point(NECK / um, "1-10", 1.0, angle=angle) for um, angles in ((47, (30, 45, 75)), (33, (30, 45))) for angle in angles},
+    **{f"weak_{um}": Point(NECK / um, seeds, end, WEAK) for um, seeds, end in ((47, "1-10", 2.4), (40, "1-10", 2.3))},
+    "sliding_47": Point(SMALL, "1-10", 1.0, SLIDING),
     **{f"fed_{share:g}": Point(SMALL, "1-30", 1.0, concentration=share, empty=True) for share in (0, 0.1, 0.2, 0.3)},
     **{f"fed_{share:g}_40": Point(2.5, "1-30", 1.0, concentration=share, empty=True) for share in (0, 0.2, 0.3)},
 }
