@@ -98,7 +98,7 @@ def bridges(_):
         said.append(f"{number(ratio)}: {number(middle)}, least {min(counts):.0f} (law {number(law)})")
         means.append(abs(middle / law - 1) < 0.15)
         leasts.append(min(counts) > law - 1)
-    return ("particles centred before the opening of a clog, mean: " + "; ".join(said) + ". It is the mean, not the least, and depends on what is counted ([bridging.md](bridging.md))",
+    return ("particles centred before the opening of a clog, mean: " + "; ".join(said) + ". It is nearer to the mean than to the least, and depends on what is counted ([bridging.md](bridging.md))",
             AGREES if all(leasts) else PARTLY if all(means) else DIFFERS)
 
 
