@@ -148,7 +148,7 @@ void add_stats(CLI::App& app) {
     const auto statistics = postprocess::write_statistics(*job);
     if (const auto states = postprocess::unfinished_seeds(job->folders); !states.empty())
       print_note(
-          fmt::format("{} seeds have not ended and are left out, such as {}: the same `clog run` goes on with them",
+          fmt::format("seeds that have not ended are left out: {}, such as {}; the same `clog run` goes on with them",
                       states.size(), states.front().string()));
     if (json_wanted()) return print_json(postprocess::as_json(statistics));
     print_summary(statistics);

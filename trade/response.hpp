@@ -22,7 +22,8 @@ struct Doses {
 inline constexpr std::array<const char*, 3> dose_names{"softness", "mass", "step"};
 
 /// Whether the law of first order speaks of this mass. Beyond some 30 its effect saturates: at D/d = 2.13 the packing
-/// of a column that flows without friction is 0.38, 0.38, 0.39, 0.42, 0.47, 0.50 for masses of 1, 3, 10, 30, 100, 300.
+/// near the neck is 0.371, 0.373, 0.377, 0.400, 0.439, 0.464 for 1, 3, 10, 30, 100, 300 times the true mass.
+/// \measured docs/reports/trade.md
 bool is_small(const Doses& doses);
 
 /// \param step_over_limit  as measured, mean over the runs

@@ -325,6 +325,10 @@ TEST(TradePresets, AreThoseOfTheCommittedStudies) {
   EXPECT_EQ(measured_text(studies), committed);
   EXPECT_EQ(measured_text(measured_studies()), committed);
   EXPECT_TRUE(std::ranges::is_sorted(measured_studies(), {}, &MeasuredStudy::neck_ratio));
+  // Masses at which the law does not hold were run, and are no choice.
+  for (const MeasuredStudy& study : measured_studies())
+    for (const Measured& setting : study.settings)
+      EXPECT_TRUE(is_small(doses_of(read_scene(paper, setting.overrides), 0))) << setting.name;
 }
 
 TEST(Fidelity, APresetBecomesKeysAndTheCommandLineWins) {
@@ -365,13 +369,16 @@ TEST(Fidelity, SaysForWhichSceneNothingWasMeasured) {
   };
   EXPECT_THAT(note({"particles.diameter=47 um", "geometry.neck_width=90 um", "contact.youngs_modulus=1 GPa"}),
               Not(HasSubstr("not measured for this scene")));
+  EXPECT_THAT(note({"unclog.protocol=stop"}), Not(HasSubstr("not measured for this scene")));
+  EXPECT_THAT(note({"unclog.protocol=release", "unclog.after=9 ms"}),
+              HasSubstr("(not measured for this scene: the study had unclog.protocol"));
   EXPECT_THAT(
       note({"contact.friction.sliding=0.4", "drag.law=stokes"}),
       HasSubstr("(not measured for this scene: the study had contact.friction.sliding = 0.6, now 0.4, drag.law = "
                 "\"hoef\", now \"stokes\")"));
   EXPECT_THAT(note({"geometry.half_angle=45 deg", "contact.friction.rolling=0", "contact.friction.torsion=0",
                     "contact.restitution=0.5"}),
-              testing::AllOf(HasSubstr("geometry.half_angle = "), HasSubstr(" and 1 keys more)")));
+              testing::AllOf(HasSubstr("geometry.half_angle = "), HasSubstr(" and 1 more)")));
 }
 
 TEST(Fidelity, RefusesWhatItDoesNotKnow) {

@@ -137,8 +137,8 @@ TEST(Stats, names_seeds_that_have_not_ended) {
   std::ofstream(runs / "run_0003.state") << "bytes";
   const auto stats = call();
   EXPECT_EQ(stats.status, 0);
-  EXPECT_THAT(stats.output, HasSubstr("1 seeds have not ended and are left out, such as " +
-                                      (runs / "run_0003.state").string() + ": the same `clog run` goes on with them"));
+  EXPECT_THAT(stats.output, HasSubstr("seeds that have not ended are left out: 1, such as " +
+                                      (runs / "run_0003.state").string() + "; the same `clog run` goes on with them"));
 }
 
 TEST(Stats, a_link_that_leads_nowhere_is_named) {
