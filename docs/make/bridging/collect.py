@@ -3,6 +3,7 @@
 import csv
 import json
 import subprocess
+import sys
 import tempfile
 from pathlib import Path
 
@@ -47,11 +48,11 @@ def put(file, head, lines):
 
 
 def collect(program, folder, reports):
+    missing = [name for name in POINTS if not any((folder / name).glob("run_*.h5"))]
+    if missing:  # the tables would lose what they have of these points
+        sys.exit(f"{folder / missing[0]}: no run_*.h5 (nor of {len(missing) - 1} more points); bridging_law run makes them, and the tables stay as they are")
     sizes, more, arches = {}, [], []
     for name in POINTS:
-        if not (folder / name).exists():
-            print(f"{name}: not run")
-            continue
         if POINTS[name].empty:
             sizes[name], packing, rate, cut = first_clogs(folder / name)
             more.append([name, f"{packing:.4g}", f"{rate:.4g}", cut])
