@@ -58,10 +58,10 @@ void check_runs(const Study& study) {
   const Scene base = read_scene(study.scene_file, study.overrides);
   require(study.flow || base.flow.source != FlowSource::openfoam,
           "{}: flow.source = \"openfoam\" needs the flow: give --flow flow.h5", study.scene_file.string());
+  const std::string inputs = inputs_hash({base, study.flow, study.directory});  // of every setting
   for (const Setting& setting : settings_for(base)) {
     const Ensemble ensemble{scene_of(study, setting), study.flow, folder_of(study, setting)};
     if (!fs::exists(ensemble.directory)) continue;
-    const std::string inputs = inputs_hash(ensemble);
     check_directory(ensemble, inputs);
     for (const std::uint64_t seed : base.ensemble.seeds) find_done(ensemble, owner_of(ensemble, inputs, seed));
   }

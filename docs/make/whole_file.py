@@ -5,11 +5,11 @@ import os
 
 
 @contextlib.contextmanager
-def rewritten(path):
-    """A text file to write in the place of `path`, which it replaces when all of it is on the disk."""
+def rewritten(path, binary=False):
+    """A text file, or a binary one, to write in the place of `path`, which it replaces when all of it is on the disk."""
     part = path.with_name(path.name + ".part")
     try:
-        with part.open("w", encoding="utf-8", newline="") as file:
+        with part.open("wb") if binary else part.open("w", encoding="utf-8", newline="") as file:
             yield file
             file.flush()
             os.fsync(file.fileno())

@@ -153,14 +153,15 @@ std::vector<fs::path> find_run_files(const fs::path& folder) {
 }
 
 std::vector<fs::path> unfinished_seeds(const std::vector<fs::path>& folders) {
+  constexpr auto readable = fs::directory_options::skip_permission_denied;
   std::set<fs::path> states;
   for (const fs::path& folder : folders) {
     if (!fs::is_directory(folder)) continue;
     std::set<fs::path> within{folder};
-    for (const auto& entry : fs::directory_iterator(folder))
+    for (const auto& entry : fs::directory_iterator(folder, readable))
       if (entry.is_directory()) within.insert(entry.path());
     for (const fs::path& one : within)
-      for (const auto& entry : fs::directory_iterator(one)) {
+      for (const auto& entry : fs::directory_iterator(one, readable)) {
         const fs::path& file = entry.path();
         if (file.extension() != ".state" || !file.filename().string().starts_with("run_")) continue;
         if (!fs::exists(fs::path(file).replace_extension(".h5"))) states.insert(file);

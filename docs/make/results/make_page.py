@@ -30,7 +30,8 @@ def keep_png(figure, target):
     """Keeps one of the report's figures as the PNG `target`, small enough for a repository."""
     with plt.rc_context({"savefig.dpi": 110}), tempfile.TemporaryDirectory() as folder:
         style.save(figure, folder, "figure")
-        (REPORTS / "results" / target).write_bytes((Path(folder) / "figure.png").read_bytes())
+        with rewritten(REPORTS / "results" / target, binary=True) as file:
+            file.write((Path(folder) / "figure.png").read_bytes())
 
 
 def summary(campaign):
