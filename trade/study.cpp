@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <set>
 
 #include "coupling/base/publish_file.hpp"
 #include "coupling/base/require.hpp"
@@ -82,20 +83,29 @@ void run_study(const Study& study, Ranks& ranks, const std::function<void(const 
     if (Clock::now() >= end || (study.stop && study.stop->load())) stop = true;
   };
   const std::size_t count = settings.size() * seeds.size();
-  for (int k = ranks.next(); k < static_cast<int>(count); k = ranks.next()) {
+  const auto refusal = [&](std::size_t k) {
+    return refusal_file(folder_of(study, settings[k % settings.size()]), seeds[k / settings.size()]);
+  };
+  std::set<std::size_t> refused_before;
+  for (std::size_t k = 0; k < count; ++k)
+    if (fs::exists(refusal(k))) refused_before.insert(k);
+  // First what no call has failed at, then the rest.
+  for (std::size_t turn = ranks.next(); turn < 2 * count; turn = ranks.next()) {
+    const std::size_t k = turn % count;
+    if (refused_before.contains(k) != (turn >= count)) continue;
     const Setting& setting = settings[k % settings.size()];
     const std::uint64_t seed = seeds[k / settings.size()];
     const fs::path folder = folder_of(study, setting);
-    if (fs::exists(refusal_file(folder, seed))) continue;
     look({});
     if (stop && !fs::exists(folder / run_file_name(seed))) continue;
     const Ensemble ensemble{scene_of(study, setting), study.flow, folder, &stop};
-    run_one_seed(ensemble, seed, look, [&](const SeedReport& report) {
-      if (report.failed) put_down(report.line, refusal_file(folder, seed));
+    const SeedEnd how = run_one_seed(ensemble, seed, look, [&](const SeedReport& report) {
+      if (report.failed) put_down(report.line, refusal(k));
       if (report.note) return;
       const std::string line = fmt::format("{}, seed {}: {}", setting.name, seed, report.line);
       ranks.is_first() ? say(line) : ranks.tell_first(line);
     });
+    if (how == SeedEnd::done) fs::remove(refusal(k));
   }
   ranks.wait(hear);  // nobody reads before everybody has written
 }

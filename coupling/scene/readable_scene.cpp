@@ -25,8 +25,7 @@ std::string readable(const std::string& text) {
   }
 }
 
-/// Every text in quotes.
-std::string readable_value(const std::string& value) {
+std::string with_readable_quotes(const std::string& value) {
   std::string result;
   std::size_t at = 0;
   for (std::size_t open; (open = value.find('"', at)) != std::string::npos;) {
@@ -40,6 +39,10 @@ std::string readable_value(const std::string& value) {
 
 }  // namespace
 
+std::string readable_value(const std::string& key, const std::string& value) {
+  return holds_quantities(key) ? with_readable_quotes(value) : value;
+}
+
 std::string readable_scene(const std::string& effective_scene) {
   std::string result, section;
   for (std::size_t at = 0; at < effective_scene.size();) {
@@ -47,8 +50,9 @@ std::string readable_scene(const std::string& effective_scene) {
     const std::string line = effective_scene.substr(at, end - at);
     const std::size_t equals = line.find(" = ");
     if (line.starts_with('[')) section = line.substr(1, line.find(']') - 1) + ".";
-    const bool shown_anew = equals != std::string::npos && holds_quantities(section + line.substr(0, equals));
-    result += shown_anew ? line.substr(0, equals) + readable_value(line.substr(equals)) : line;
+    result += equals == std::string::npos
+                  ? line
+                  : line.substr(0, equals) + readable_value(section + line.substr(0, equals), line.substr(equals));
     if (end < effective_scene.size()) result += '\n';
     at = end + 1;
   }

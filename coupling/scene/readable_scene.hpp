@@ -11,4 +11,7 @@ namespace clogflow {
 /// Lines that are no key of a scene, or hold no quantity, stay as they are.
 std::string readable_scene(const std::string& effective_scene);
 
+/// One value of such a text, or as it is if the key holds no quantity. \param key  such as "geometry.half_angle"
+std::string readable_value(const std::string& key, const std::string& value);
+
 }  // namespace clogflow

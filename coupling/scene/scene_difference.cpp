@@ -8,6 +8,7 @@
 
 #include "coupling/base/require.hpp"
 #include "coupling/base/units.hpp"
+#include "coupling/scene/readable_scene.hpp"
 
 namespace clogflow {
 namespace {
@@ -89,7 +90,9 @@ KeyRole role_of(std::string_view key) {
   return found == std::end(harmless) ? KeyRole::trajectory : found->second;
 }
 
-std::string SceneDifference::words() const { return fmt::format("{} = {}, now {}", key, before, now); }
+std::string SceneDifference::words() const {
+  return fmt::format("{} = {}, now {}", key, readable_value(key, before), readable_value(key, now));
+}
 
 std::vector<SceneDifference> scene_differences(const std::string& before, const std::string& now) {
   if (before == now) return {};

@@ -162,8 +162,8 @@ TEST_F(EnsembleFiles, FinishedSeedsAreSkipped) {
   // A file of another scene in the same folder is not taken for this one.
   const Outcome other = run("", "out", "--seeds 2 --set time.end='5 ms'");
   EXPECT_NE(other.status, 0);
-  EXPECT_THAT(other.text, HasSubstr("run_0002.h5: is longer than what is asked for (time.end = \"0.006 s\", now "
-                                    "\"0.005 s\"): give another --out"));
+  EXPECT_THAT(other.text, HasSubstr("run_0002.h5: is longer than what is asked for (time.end = \"6 ms\", now "
+                                    "\"5 ms\"): give another --out"));
 }
 
 TEST_F(EnsembleFiles, ASweepHasAFolderForEachPointWithTheFilesOfAPlainRun) {

@@ -166,8 +166,12 @@ TEST(SceneDifferences, AreFoundByValueWhereverTheyStand) {
   EXPECT_EQ(scene_differences(one + "\n[time]\nend = \"1 s\"\n", one)[0].words(), "time.end = \"1 s\", now nothing");
   const auto wider =
       scene_differences(one, "[particles]\ndiameter = \"34 um\"\n\n[geometry]\nhalf_angle = \"60 deg\"\n");
-  EXPECT_EQ(find_role(wider, KeyRole::trajectory)->words(), "particles.diameter = \"3.3e-05 m\", now \"34 um\"");
+  EXPECT_EQ(find_role(wider, KeyRole::trajectory)->words(), "particles.diameter = \"33 um\", now \"34 um\"");
   EXPECT_FALSE(find_role(wider, KeyRole::length));
+  const auto wedge =
+      scene_differences(one, "[particles]\ndiameter = \"33 um\"\n\n[geometry]\nhalf_angle = \"45 deg\"\n");
+  ASSERT_EQ(wedge.size(), 1u);
+  EXPECT_EQ(wedge[0].words(), "geometry.half_angle = \"60 deg\", now \"45 deg\"");
 }
 
 TEST(SceneDifferences, OfAnEarlierProgramAreNoneWhereALaterKeyHasTheValueOfThen) {

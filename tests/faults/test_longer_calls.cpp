@@ -102,14 +102,14 @@ TEST_F(LongerCalls, AnotherDiameterIsRefusedForAnySeedOfTheFolder) {
   const std::string before = text_of(job_.path("out/run_0001.h5"));
   for (const char* seeds : {"1", "2"})
     EXPECT_THAT(call(1, with(words("out", seeds, "4 ms"), {"--set", "particles.diameter=40 um"})),
-                HasSubstr("run_0001.h5: was made for another scene (particles.diameter = \"5e-05 "
-                          "m\", now \"4e-05 m\"): give another --out"));
+                HasSubstr("run_0001.h5: was made for another scene (particles.diameter = \"50 um\", now "
+                          "\"40 um\"): give another --out"));
   EXPECT_FALSE(std::filesystem::exists(job_.path("out/run_0002.h5")));
   EXPECT_TRUE(text_of(job_.path("out/run_0001.h5")) == before);
   EXPECT_THAT(call(0, words("out", "2", "5 ms")),
-              HasSubstr("has another length (time.end = \"0.004 s\", now \"0.005 s\")"));
+              HasSubstr("has another length (time.end = \"4 ms\", now \"5 ms\")"));
   EXPECT_THAT(call(0, with(words("out", "1", "4 ms"), {"--set", "output.snapshot_interval=1 ms"})),
-              HasSubstr("seed 1: already done, with output.snapshot_interval = \"0.005 s\", now \"0.001 s\""));
+              HasSubstr("seed 1: already done, with output.snapshot_interval = \"5 ms\", now \"1 ms\""));
 }
 
 TEST_F(LongerCalls, WhatWasSetAsideComesBackAndIsNeverLost) {

@@ -100,6 +100,25 @@ TEST_F(ToyStudy, RefusesRunsOfAnotherSceneAndOfALongerOne) {
               HasSubstr("toy.toml: flow.source = \"openfoam\" needs the flow: give --flow flow.h5"));
 }
 
+TEST_F(ToyStudy, TriesAgainWhatFailedForAReasonThatHasGone) {
+  study_.only = {"10MPa_m30_limit70"};
+  const Setting setting{.name = "10MPa_m30_limit70"};
+  const auto state = folder_of(study_, setting) / "run_0001.state";
+  std::filesystem::create_directories(state.parent_path());
+  std::ofstream(state) << "clogflow state 7\nof an earlier program";
+  const auto refused = [&] { return refusal_of(study_, setting); };
+  for (int calls = 0; calls < 20 && refused().empty(); ++calls) evaluate(1);
+  EXPECT_THAT(refused(), HasSubstr("run_0001.state"));
+  evaluate(1);
+  EXPECT_THAT(refused(), HasSubstr("run_0001.state"));  // it is still there
+  EXPECT_THAT(table(evaluate(0)), HasSubstr("refused: "));
+
+  std::filesystem::remove(state);
+  for (int calls = 0; calls < 20 && !refused().empty(); ++calls) evaluate(1 + calls);
+  EXPECT_EQ(refused(), "");
+  EXPECT_TRUE(std::filesystem::exists(state.parent_path() / "run_0001.h5"));
+}
+
 TEST_F(ToyStudy, RefusesASettingThatItDoesNotKnow) {
   study_.only = {"gpa3", "cheapest"};
   EXPECT_THAT(refusal([this] { evaluate(0); }), HasSubstr("--settings cheapest (no such setting)"));
