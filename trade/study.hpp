@@ -41,7 +41,8 @@ void check_runs(const Study& study);
 
 /// Runs what is missing: seed by seed, so that whenever the budget ends the settings have equal seeds.
 /// Finished runs are kept, interrupted ones go on. A seed that fails leaves the reason in its folder; the next call
-/// tries it once more, after all others, since the reason may have been a full disk. Rank 0 says it all. All ranks together. \throws Error as check_study
+/// tries it once more, after all others, since the reason may have been a full disk. Rank 0 says it all. All ranks
+/// together. \throws Error as check_study
 void run_study(const Study& study, Ranks& ranks, const std::function<void(const std::string&)>& say);
 
 /// Why a setting was refused, or an empty text.

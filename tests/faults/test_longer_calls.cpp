@@ -106,8 +106,7 @@ TEST_F(LongerCalls, AnotherDiameterIsRefusedForAnySeedOfTheFolder) {
                           "\"40 um\"): give another --out"));
   EXPECT_FALSE(std::filesystem::exists(job_.path("out/run_0002.h5")));
   EXPECT_TRUE(text_of(job_.path("out/run_0001.h5")) == before);
-  EXPECT_THAT(call(0, words("out", "2", "5 ms")),
-              HasSubstr("has another length (time.end = \"4 ms\", now \"5 ms\")"));
+  EXPECT_THAT(call(0, words("out", "2", "5 ms")), HasSubstr("has another length (time.end = \"4 ms\", now \"5 ms\")"));
   EXPECT_THAT(call(0, with(words("out", "1", "4 ms"), {"--set", "output.snapshot_interval=1 ms"})),
               HasSubstr("seed 1: already done, with output.snapshot_interval = \"5 ms\", now \"1 ms\""));
 }

@@ -23,6 +23,8 @@ def draw_law(lines, curve, file):
             continue
         friction = tuple(line[f"{k} friction [1]"] for k in ("sliding", "rolling", "torsion"))
         label = ", ".join(f"{f:g}" for f in friction) + ("" if line["half angle [deg]"] == 60 else f"; {line['half angle [deg]']:g} deg")
+        label += "" if line["height over width [1]"] == 1 else f"; {line['height over width [1]']:g} D high"
+        label += f"; spread {line['size spread [1]']:g}" if line["size spread [1]"] else ""
         label += "" if line["concentration fed [1]"] == "dense" else f"; fed {line['concentration fed [1]']:g}"
         style = styles.setdefault(label, {"color": f"C{len(styles) % 10}", "marker": "osD^v<>pPX"[len(styles) // 10 % 10]})
         first = label if label not in left.get_legend_handles_labels()[1] else None

@@ -4,18 +4,18 @@ import csv
 import math
 
 from bursts import fair_sizes, mean_of, read_sizes
-from points import FULL, POINTS
+from points import FULL, NECK, POINTS
 from whole_file import rewritten
 
-UNITS = {"D/d": "1", "half angle": "deg", "sliding friction": "1", "rolling friction": "1", "torsion friction": "1", "concentration fed": "1",
-         "packing near the neck": "1", "bursts": "1", "particles passed": "1", "mean burst": "1", "mean burst low": "1", "mean burst high": "1",
+UNITS = {"D/d": "1", "half angle": "deg", "height over width": "1", "size spread": "1", "sliding friction": "1",
+         "rolling friction": "1", "torsion friction": "1", "concentration fed": "1", "packing near the neck": "1", "bursts": "1", "particles passed": "1", "mean burst": "1", "mean burst low": "1", "mean burst high": "1",
          "hazard per particle": "1", "hazard low": "1", "hazard high": "1", "share of empty bursts": "1", "rate while flowing": "1/s"}
 LONGER = [point.ratio for point in POINTS.values() if point.is_base() and not point.again]
 HEAD = [f"{name} [{unit}]" for name, unit in UNITS.items()] + ["status", "from"]
 
 
-def row(what, ratio, friction=FULL, angle=60, concentration=0):
-    first = [ratio, angle, *friction, concentration if concentration else "dense"]
+def row(what, ratio, friction=FULL, angle=60, height=NECK, spread=0, concentration=0):
+    first = [ratio, angle, height / NECK, spread, *friction, concentration if concentration else "dense"]
     return dict(zip(HEAD, first), **{"from": what})
 
 
@@ -53,7 +53,7 @@ def own_rows(folder):
         if not point.again:
             what = "law, first clogs from an empty channel" if point.empty else "law"
             more = {key: float(known[name][f"{key} [{UNITS[key]}]"]) for key in ("packing near the neck", "rate while flowing")}
-            line = measured(row(what, point.ratio, point.friction, point.angle, point.concentration), fair, more)
+            line = measured(row(what, point.ratio, point.friction, point.angle, point.height, point.spread, point.concentration), fair, more)
             lines.append(bounded(line, line["bursts [1]"], int(known[name]["cut [1]"])))
     return lines
 
@@ -109,7 +109,7 @@ def friction_rows(file):
 
 def write_law(reports):
     lines = own_rows(reports / "bridging") + campaign_rows(reports / "bridging") + friction_rows(reports / "friction/map.csv")
-    lines.sort(key=lambda r: (r[HEAD[1]], [-f for f in (r[HEAD[2]], r[HEAD[3]], r[HEAD[4]])], str(r[HEAD[5]]), r[HEAD[0]]))
+    lines.sort(key=lambda r: (*(r[h] for h in HEAD[1:4]), [-r[h] for h in HEAD[4:7]], str(r[HEAD[7]]), r[HEAD[0]]))
     with rewritten(reports / "bridging/law.csv") as out:
         writer = csv.DictWriter(out, HEAD, restval="")
         writer.writeheader()

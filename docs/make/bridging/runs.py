@@ -3,7 +3,7 @@
 import subprocess
 from pathlib import Path
 
-from points import COPIES, POINTS, SCENE
+from points import COPIES, NECK, POINTS, SCENE
 from whole_file import rewritten
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -13,11 +13,12 @@ def call(*words, **more):
     subprocess.run([str(word) for word in words], check=True, **more)
 
 
-def flow_of(program, folder, angle):
-    """The flow of a half angle, solved if it is not there: a minute of one core."""
-    flow, case = folder / f"flow_{angle:g}.h5", folder / f"case_{angle:g}"
+def flow_of(program, folder, point):
+    """The flow of a point's neck, solved if it is not there: a minute of one core."""
+    name = f"{point.angle:g}" if point.height == NECK else f"{point.angle:g}_{point.height:g}"
+    flow, case = folder / f"flow_{name}.h5", folder / f"case_{name}"
     if not flow.exists():
-        call(program, "case", ROOT / SCENE, case, "--set", f"geometry.half_angle={angle:g} deg")
+        call(program, "case", ROOT / SCENE, case, *(word for key, value in point.neck().items() for word in ("--set", f"{key}={value}")))
         call(case / "Allrun")
         call(program, "map", case, "--out", flow)
     return flow
@@ -27,7 +28,7 @@ def run_points(program, folder, names):
     folder.mkdir(parents=True, exist_ok=True)
     for name in names or POINTS:
         point = POINTS[name]
-        call(program, "run", ROOT / SCENE, "--flow", flow_of(program, folder, point.angle), "--out", folder / name, "--seeds", point.seeds,
+        call(program, "run", ROOT / SCENE, "--flow", flow_of(program, folder, point), "--out", folder / name, "--seeds", point.seeds,
              *point.overrides())
 
 

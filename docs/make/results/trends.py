@@ -21,9 +21,10 @@ def read(file):
 
 
 def base_rows(from_empty, **fixed):
-    """Measured rows of the bridging law with friction 0.6 three times, at 60 degrees and densely fed unless `fixed` says else; first clogs from an
+    """Measured rows of the bridging law with friction 0.6 three times, at 60 degrees, of equal spheres in a square neck and densely fed unless `fixed` says else; first clogs from an
     empty channel, or bursts of a channel in full flow."""
-    wanted = {"sliding friction [1]": "0.6", "rolling friction [1]": "0.6", "torsion friction [1]": "0.6", "half angle [deg]": "60", "concentration fed [1]": "dense"}
+    wanted = {"sliding friction [1]": "0.6", "rolling friction [1]": "0.6", "torsion friction [1]": "0.6", "half angle [deg]": "60", "height over width [1]": "1",
+              "size spread [1]": "0", "concentration fed [1]": "dense"}
     wanted.update(fixed)
     return [r for r in read("bridging/law.csv")
             if r["status"] == "measured" and r["from"] != "friction map" and ("empty" in r["from"]) == from_empty
