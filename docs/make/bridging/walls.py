@@ -1,0 +1,37 @@
+"""Does a step belong to the width of the neck or to its height? Necks of two heights, fitted together."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from bursts import log_error, mean_of
+from steps import DEGREE, RANGE
+
+
+@dataclass
+class Parted:
+    of_width: tuple  # height of the step in ln at D/d = place, and its standard error
+    of_height: tuple  # of the step where the neck's height over d is the same number
+    chi_squared: float
+    degrees_of_freedom: int
+
+
+def rows_of(necks, ratios=RANGE):
+    """Height over width, D/d, ln of the mean and its error. \\param necks  height over width -> D/d -> seed -> sizes"""
+    return np.array([(height, ratio, math.log(mean_of(fair)[0]), log_error(fair))
+                     for height, sizes in necks.items() for ratio, fair in sizes.items() if ratios[0] <= ratio <= ratios[1]])
+
+
+def part(rows, place):
+    """One smooth curve in D/d of degree 3 for all necks, times a power law in their height whose exponent may be a line in D/d,
+    and two steps: where D/d passes `place`, and where the height over d does. The errors grow by the root of chi squared over
+    its degrees of freedom where that is above 1."""
+    height, ratio, logs, error = rows.T
+    x = ratio - np.mean(RANGE)
+    columns = [x**k for k in range(DEGREE + 1)] + [np.log(height), np.log(height) * x, ratio >= place, height * ratio >= place]
+    design = np.column_stack(columns) / error[:, None]
+    found = np.linalg.pinv(design) @ (logs / error)
+    rest = float(((logs / error - design @ found) ** 2).sum())
+    free = len(logs) - len(found)
+    spread = np.sqrt(np.diag(np.linalg.inv(design.T @ design)) * max(1, rest / free))
+    return Parted((found[-2], spread[-2]), (found[-1], spread[-1]), rest, free)
