@@ -14,8 +14,8 @@ constexpr double instructions_per_diameter = 4e5;
 }  // namespace
 
 std::vector<TermCost> term_costs(const Scene& scene) {
-  std::vector<TermCost> costs{{"everything else", 243}};
-  constexpr double rolling = 57, torsion = 19;
+  std::vector<TermCost> costs{{"everything else", 194}};
+  constexpr double rolling = 28, torsion = 8;
   const bool of_species = has_friction_of_species(scene.particles);
   const FrictionLaw friction = of_species ? SpeciesFriction::between_particles(scene).law()
                                           : FrictionLaw{.sliding = scene.contact.friction.sliding,
@@ -26,11 +26,11 @@ std::vector<TermCost> term_costs(const Scene& scene) {
   // Its loop has all terms, whatever their coefficients. \measured docs/sizes.md
   if (of_species)
     costs.push_back(
-        {"friction of species", 61 + (friction.rolling > 0 ? 0 : rolling) + (friction.torsion > 0 ? 0 : torsion)});
-  if (scene.lubrication.enabled) costs.push_back({"lubrication", 122});
-  if (scene.drag.enabled) costs.push_back({"drag", 43});
+        {"friction of species", 22 + (friction.rolling > 0 ? 0 : rolling) + (friction.torsion > 0 ? 0 : torsion)});
+  if (scene.lubrication.enabled) costs.push_back({"lubrication", 197});
+  if (scene.drag.enabled) costs.push_back({"drag", 44});
   if (scene.drag.fluctuation.strength > 0) costs.push_back({"random drag", 72});
-  if (scene.flow.balances()) costs.push_back({"balance of pressures", 66});
+  if (scene.flow.balances()) costs.push_back({"balance of pressures", 67});
   // Between a spread of 3 % (1.02 of the time of equal ones) and a mixture 1 : 1.4 (1.15): docs/sizes.md.
   if (!ParticleSizes(scene.particles).equal()) costs.push_back({"unequal sizes", 40});
   return costs;

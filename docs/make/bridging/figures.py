@@ -5,6 +5,8 @@ import numpy as np
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
+from bursts import log_error, mean_of  # noqa: E402
+from layers import BINS, at_half_height  # noqa: E402
 from steps import NAMED, RANGE  # noqa: E402
 
 
@@ -60,6 +62,31 @@ def draw_arches(counts, file):
     axes.plot(x, x + 1, "k--", lw=1, label="D/d + 1")
     axes.set(xlabel="D/d", ylabel="particles of a clog (mean, standard deviation)")
     axes.legend(fontsize=7)
+    save(figure, file)
+
+
+def draw_layers(profiles, necks, file):
+    """Left: where the centres are, floor to ceiling, of square necks. Middle: at half height. Right: the law for each height.
+    \param profiles  height over d -> (height over width, its two rows); \param necks  height over width -> D/d -> sizes"""
+    figure, (left, middle, right) = plt.subplots(1, 3, figsize=(10, 4.2), constrained_layout=True)
+    square = [(tall, pair.mean(axis=0)) for tall, (height, pair) in sorted(profiles.items()) if height == 1]
+    places = (np.arange(BINS) + 0.5) / BINS
+    for k, (tall, densities) in enumerate(square):
+        left.plot(places, 0.8 * k + np.minimum(densities, 3.5) / 4, drawstyle="steps-mid", color="k", lw=0.9)
+        left.text(1.02, 0.8 * k + 0.1, f"{tall:.3g}", fontsize=7)
+    left.set(xlabel="height of the centre, 0 on the floor, 1 below the ceiling", yticks=[], xlim=(0, 1.13), title="density, by D/d (at right)")
+    for k, height in enumerate(sorted(necks)):
+        style = {"color": f"C{k}", "marker": "osD^"[k], "ms": 4}
+        seen = sorted((tall, at_half_height(pair).mean()) for tall, (h, pair) in profiles.items() if h == height)
+        middle.plot(*np.array(seen).T, **style, lw=0.8, label=f"{height:g} D high")
+        law = sorted((ratio, mean_of(fair)[0], log_error(fair)) for ratio, fair in necks[height].items() if 2.35 < ratio < 3.6)
+        ratios, means, errors = np.array(law).T
+        right.errorbar(ratios, means, 1.96 * errors * means, **style, lw=0.8, capsize=2, label=f"{height:g} D high")
+    middle.set(xlabel="height over d", ylabel="density at half height over the mean")
+    right.set(xlabel="D/d (D: the width)", ylabel="particles until the clog", yscale="log")
+    for axes in (middle, right):
+        axes.axvline(3.15, color="0.6", ls=":", lw=1)
+        axes.legend(fontsize=7)
     save(figure, file)
 
 

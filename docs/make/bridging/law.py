@@ -123,3 +123,13 @@ def sizes_of_base(reports):
     all_sizes = kept_sizes(reports / "bridging")
     own = {POINTS[n].ratio: fair for n, fair in read_sizes(reports / "bridging/bursts.csv").items() if POINTS[n].is_base() and not POINTS[n].again}
     return dict(sorted({**all_sizes, **own}.items()))
+
+
+def sizes_of_necks(reports):
+    """Height over width of the neck -> D/d -> seed -> sizes: the base, and what differs from it in the height alone."""
+    necks = {1: sizes_of_base(reports)}
+    for name, fair in read_sizes(reports / "bridging/bursts.csv").items():
+        point = POINTS[name]
+        if point.height != NECK and point.is_base_but_for_height():
+            necks.setdefault(point.height / NECK, {})[point.ratio] = fair
+    return necks

@@ -10,20 +10,27 @@ BINS = 25  # over the height that centres can have
 MIDDLE = slice(11, 14)  # three of them: the middle eighth
 
 
+def near_the_narrowing(x, geometry):
+    begins = -(geometry["channel_width"] - geometry["neck_width"]) / 2 / np.tan(geometry["half_angle"])
+    return (x < begins) & (x > begins - REACH * geometry["neck_width"])
+
+
+def counts_of_heights(z, geometry):
+    """Centres at heights z [m] in bins from floor to ceiling. Soft particles press into the walls: these count at the walls."""
+    least, most = geometry["diameter"] / 2, geometry["neck_height"] - geometry["diameter"] / 2
+    return np.histogram(np.clip(z, least, most), BINS, (least, most))[0]
+
+
 def profile_of(paths, geometry):
-    """Density of centres over its mean, in bins from floor to ceiling: a row for the first half of the runs' snapshots, one
-    for the second. \\param paths  runs of one point"""
-    narrowing = (geometry["channel_width"] - geometry["neck_width"]) / 2 / np.tan(geometry["half_angle"])
-    radius, height = geometry["diameter"] / 2, geometry["neck_height"]
+    """Density of centres over its mean: a row for the first half of the snapshots of each run, one for the second.
+    \\param paths  runs of one point"""
     counts = np.zeros((2, BINS))
     for path in paths:
         with h5py.File(path) as file:
             first, position = file["snapshots/first"][:], file["snapshots/position"][:]
         half = first[len(first) // 2]
         for row, part in zip(counts, (position[:half], position[half:])):
-            near = (part[:, 0] < -narrowing) & (part[:, 0] > -narrowing - REACH * geometry["neck_width"])
-            z = np.clip(part[near, 2], radius, height - radius)  # soft particles press into the walls
-            row += np.histogram(z, BINS, (radius, height - radius))[0]
+            row += counts_of_heights(part[near_the_narrowing(part[:, 0], geometry), 2], geometry)
     return counts * BINS / counts.sum(axis=1, keepdims=True)
 
 
@@ -37,6 +44,12 @@ def read_profiles(file):
     return {name: np.array(pair) for name, pair in profiles.items()}
 
 
-def middle_of(pair):
-    """Density at half height over the mean, in the first and the second half of the runs."""
-    return pair[:, MIDDLE].mean(axis=1)
+def at_half_height(densities):
+    return np.asarray(densities)[..., MIDDLE].mean(axis=-1)
+
+
+def say_layers(profiles):
+    print("\n| height over d | height over width | density at half height, first half of the runs | second |\n| --- | --- | --- | --- |")
+    for tall, (height, pair) in sorted(profiles.items()):
+        first, second = at_half_height(pair)
+        print(f"| {tall:.3g} | {height:g} | {first:.2f} | {second:.2f} |")

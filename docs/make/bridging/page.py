@@ -5,10 +5,12 @@ import csv
 import numpy as np
 import steps
 from bursts import log_error, mean_of
-from figures import draw_arches, draw_copies, draw_law
+from figures import draw_arches, draw_copies, draw_law, draw_layers
 from foreseen import WITHIN, branching_gain, foreseen, read_copies, sizes, still_alike, window
-from law import sizes_of_base, write_law
-from points import COST, POINTS
+from law import sizes_of_base, sizes_of_necks, write_law
+from layers import read_profiles, say_layers
+from points import COST, NECK, POINTS
+from walls import say_walls
 
 COUNTS = ("seen from the outlet", "centred before the opening", "foremost layer", "shortest chain")
 
@@ -31,6 +33,12 @@ def say_steps(sizes):
     print("\n| from D/d | to | slope of ln of the mean |\n| --- | --- | --- |")
     for low, high, slope, error in steps.slopes(curve):
         print(f"| {low:.3g} | {high:.3g} | {slope:.2f} [{slope - 1.96 * error:.2f}, {slope + 1.96 * error:.2f}] |")
+
+
+def base_profiles(file):
+    """Height over d -> (height over width, profiles of the two halves of the runs)."""
+    return {POINTS[name].height / NECK * POINTS[name].ratio: (POINTS[name].height / NECK, pair)
+            for name, pair in read_profiles(file).items() if POINTS[name].is_base_but_for_height()}
 
 
 def say_interpolation(sizes):
@@ -120,6 +128,10 @@ def write_page(reports):
     say_base(sizes_by_ratio)
     say_interpolation(sizes_by_ratio)
     say_steps(sizes_by_ratio)
+    necks, profiles = sizes_of_necks(reports), base_profiles(folder / "layers.csv")
+    say_walls(necks, (3.05, steps.best_step(steps.curve_of(necks[1]))[0], 3.25))
+    say_layers(profiles)
+    draw_layers(profiles, necks, folder / "layers.png")
     counts = arch_counts(folder / "arches.csv")
     draw_arches(counts, folder / "arches.png")
     say_arches(counts)

@@ -35,3 +35,15 @@ def part(rows, place):
     free = len(logs) - len(found)
     spread = np.sqrt(np.diag(np.linalg.inv(design.T @ design)) * max(1, rest / free))
     return Parted((found[-2], spread[-2]), (found[-1], spread[-1]), rest, free)
+
+
+def say_walls(necks, places):
+    print("\n| " + " | ".join(["D/d", *(f"{height:g} D high" for height in sorted(necks))]) + " |\n|" + " --- |" * (1 + len(necks)))
+    for ratio in sorted({r for height, sizes in necks.items() if height != 1 for r in sizes}):
+        means = {height: [mean_of(fair) for r, fair in sizes.items() if abs(r - ratio) < 0.01] for height, sizes in necks.items()}
+        cells = [f"{found[0][0]:.3g} [{found[0][1]:.3g}, {found[0][2]:.3g}]" if found else "-" for _, found in sorted(means.items())]
+        print(f"| {ratio:.3g} | " + " | ".join(cells) + " |")
+    for place in places:
+        found = part(rows_of(necks), place)
+        of = [f"{100 * np.expm1(h):+.0f} % [{100 * np.expm1(h - 1.96 * e):+.0f}, {100 * np.expm1(h + 1.96 * e):+.0f}]" for h, e in (found.of_width, found.of_height)]
+        print(f"steps at {place:.2f}: of the width {of[0]}, of the height {of[1]}; chi squared {found.chi_squared:.1f} with {found.degrees_of_freedom}")
