@@ -87,6 +87,12 @@ class Campaign:
     def missing(self):
         return [d for d in PAPER_DIAMETERS_UM if all(c.at(d) is None for c in (self, *self.others))]
 
+    @staticmethod
+    def channel_of(point):
+        """Straight channel before the narrowing, in neck widths."""
+        geometry = point.group["geometry"]
+        return geometry["channel_length"] / geometry["neck_width"]
+
     def with_clogs(self):
         return [p for p in self.points if p.trend["mean_burst"]["stops"] > 0]
 

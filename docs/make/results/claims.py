@@ -33,10 +33,6 @@ def permanent_clogs(campaign):
     return ours, AGREES if few and lasting else PARTLY if few or lasting else DIFFERS
 
 
-# Measured apart from the campaign; template.md.in tells what.
-APART = 'Apart from the campaign, one seed: 10,167 particles in 50 ms without a lapse of tau/2; see "What these numbers leave open"'
-
-
 def restarts(campaign):
     points = [p for p in campaign.with_clogs() if p.ratio >= 1.99]
     if not points:
@@ -59,11 +55,11 @@ def longer_flow(campaign):
 def continuous(campaign):
     point = next((c.at(10) for c in (campaign, *campaign.others) if c.at(10)), None)
     if point is None:
-        return APART, ABSENT
+        return "-", ABSENT
     arrests = point.trend["alpha"]
     count = arrests["ended"] + arrests["cut"]
     time = sum(r["end"] - r["start"] for r in point.group["runs"])
-    length = point.group["geometry"]["channel_length"] / point.group["geometry"]["neck_width"]
+    length = campaign.channel_of(point)
     return (f"{count} lapses of tau/2 and more in {number(time)} s with {point.trend['mean_burst']['passages']} passages "
             f"({len(point.group['runs'])} run, channel of {number(length)} D, filled to {number(point.group['steady']['packing_fraction']['value'], 2)}): "
             f"<s> {estimate(point.trend['mean_burst'])}"), AGREES if count == 0 else PARTLY
@@ -141,8 +137,7 @@ def packing(campaign):
     if not rows:
         return "-", ABSENT
     steady = [(p, p.group["steady"]["packing_fraction"]["value"], p.group["steady"]["particles"]["value"]) for p, _, _ in rows]
-    geometry = rows[0][0].group["geometry"]
-    length = geometry["channel_length"] / geometry["neck_width"]
+    length = campaign.channel_of(rows[0][0])
     ours = "; ".join(f"{number(p.ratio)}: {number(phi, 2)}, {number(n)} particles" for p, phi, n in steady) + f" (a column that flows, in {number(length)} D of channel; the paper's 10)"
     close = [abs(phi / claimed - 1) < 0.15 for (_, phi, _), (_, _, claimed) in zip(steady, rows)]
     return ours, AGREES if all(close) else PARTLY if any(close) else DIFFERS

@@ -6,6 +6,7 @@ import sys
 import tempfile
 import tomllib
 from pathlib import Path
+from statistics import stdev
 from string import Template
 
 import claims
@@ -130,11 +131,27 @@ def rewind(campaign):
 
 def order(campaign):
     """Whether a burst knows of the one before it."""
-    rows = [(p, p.group["burst_order"]["memory"]) for p in campaign.points if p.ratio > 1.5 and p.group.get("burst_order", {}).get("memory")]
+    rows = [(p, p.group["burst_order"]["memory"]) for p in campaign.points if p.ratio > 1.5 and (p.group.get("burst_order") or {}).get("memory")]
     if not rows:
         return "too few bursts to say."
     return "correlation of a burst with the next: " + "; ".join(
         f"{number(m['correlation'], 2)} [{number(m['low'], 2)}, {number(m['high'], 2)}] at {number(p.ratio)}" for p, m in rows) + "."
+
+
+SETTLED = 0.8  # s after the beginning of friction: then the packing near the neck no longer rises at D/d = 4 and 4.55
+
+
+def settling(campaign):
+    """Passages over clogs of the bursts that begin before and after SETTLED, with the standard error of the bursts' mean. The burst that
+    the end cuts off counts with its passages, so long ones are not lost."""
+    said = []
+    for p in campaign.points:
+        rows = [(row["start [s]"] < SETTLED, row["s [1]"], row["kind"] != "cut off") for row in campaign.statistics.rows("bursts", p.index)]
+        parts = [[(s, clogged) for early, s, clogged in rows if early == first] for first in (True, False)]
+        if p.ratio > 3 and all(sum(clogged for _, clogged in part) >= 20 for part in parts):
+            said.append(" and ".join(number(sum(s for s, _ in part) / sum(c for _, c in part)) + " +- " +
+                                     number(stdev(s for s, c in part if c) / math.sqrt(sum(c for _, c in part)), 2) for part in parts) + f" at {number(p.ratio)}")
+    return "; ".join(said)
 
 
 def rivals(fit):
@@ -221,7 +238,10 @@ def other_campaigns(campaign):
 
 def missing(campaign):
     sizes = ", ".join(f"{d} um (D/d = {number(100 / d)})" for d in campaign.missing())
-    return f"Sizes of the paper without a run: {sizes}." if sizes else "All nine sizes were run."
+    longer = [f"D/d = {number(p.ratio)} in {number(campaign.channel_of(p))} D of straight channel" for p in campaign.points
+              if campaign.channel_of(p) != campaign.channel_of(campaign.points[0])]
+    said = f"Sizes of the paper without a run: {sizes}." if sizes else "All nine sizes were run."
+    return " ".join([said, *(f"{text}, as in the paper." for text in longer)])
 
 
 def not_covered(campaign):
@@ -249,7 +269,7 @@ def main():
     head = ["claim", "ours (D/d: value)", "agrees?"]
     page = Template((HERE / "template.md.in").read_text(encoding="utf-8")).substitute(
         summary=summary(campaign), missing=missing(campaign), points=points(campaign), law=law(fit, campaign.trend) + rivals(fit), memory=memory(campaign),
-        rewind=rewind(campaign), bias=bias(campaign), order=order(campaign),
+        rewind=rewind(campaign), bias=bias(campaign), order=order(campaign), settling=settling(campaign),
         claims=table(head, claims.rows(campaign)), trends=table(head, trends_of_experiments.rows(campaign)),
         sweeps=other_campaigns(campaign) + other_sweeps(campaign),
         numerics=numerics(campaign.points[0].group),
