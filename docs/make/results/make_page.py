@@ -262,6 +262,8 @@ def main():
     matplotlib.use("Agg")  # no windows
     work, count = Path(sys.argv[1]), int(sys.argv[2])
     campaign = Campaign(work / "0", [work / str(k) for k in range(1, count)])
+    for group in campaign.statistics.groups:  # the page says which point has a longer channel; legends would repeat it at each size
+        group["label"] = group["label"].split(", channel_length")[0]
     for module, name, target in ((fig_spatiotemporal, "spatiotemporal_sweep", "figure3.png"), (fig_bursts, "bursts", "figure4.png"),
                                  (fig_lapses, "lapses", "figure5.png")):
         keep_png(dict(module.figures(campaign.statistics))[name], target)
