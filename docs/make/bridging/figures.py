@@ -74,7 +74,7 @@ def draw_layers(profiles, necks, file):
     for k, (tall, densities) in enumerate(square):
         left.plot(places, 0.8 * k + np.minimum(densities, 3.5) / 4, drawstyle="steps-mid", color="k", lw=0.9)
         left.text(1.02, 0.8 * k + 0.1, f"{tall:.3g}", fontsize=7)
-    left.set(xlabel="height of the centre, 0 on the floor, 1 below the ceiling", yticks=[], xlim=(0, 1.13), title="density, by D/d (at right)")
+    left.set(xlabel="height of the centre (0: on the floor)", yticks=[], xlim=(0, 1.13), title="density of centres; at right: D/d")
     for k, height in enumerate(sorted(necks)):
         style = {"color": f"C{k}", "marker": "osD^"[k], "ms": 4}
         seen = sorted((tall, at_half_height(pair).mean()) for tall, (h, pair) in profiles.items() if h == height)
