@@ -82,10 +82,12 @@ def draw_layers(profiles, necks, file):
         law = sorted((ratio, mean_of(fair)[0], log_error(fair)) for ratio, fair in necks[height].items() if 2.35 < ratio < 3.6)
         ratios, means, errors = np.array(law).T
         right.errorbar(ratios, means, 1.96 * errors * means, **style, lw=0.8, capsize=2, label=f"{height:g} D high")
+        right.axvline(3.15 / height, color=f"C{k}", ls=":", lw=1)
     middle.set(xlabel="height over d", ylabel="density at half height over the mean")
-    right.set(xlabel="D/d (D: the width)", ylabel="particles until the clog", yscale="log")
+    middle.axvline(3.15, color="0.6", ls=":", lw=1)
+    right.set(xlabel="D/d (D: the width)", ylabel="particles until the clog", yscale="log", yticks=[10, 20, 30, 50], yticklabels=[10, 20, 30, 50])
+    right.minorticks_off()
     for axes in (middle, right):
-        axes.axvline(3.15, color="0.6", ls=":", lw=1)
         axes.legend(fontsize=7)
     save(figure, file)
 

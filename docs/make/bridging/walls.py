@@ -22,13 +22,14 @@ def rows_of(necks, ratios=RANGE):
                      for height, sizes in necks.items() for ratio, fair in sizes.items() if ratios[0] <= ratio <= ratios[1]])
 
 
-def part(rows, place):
-    """One smooth curve in D/d of degree 3 for all necks, times a power law in their height whose exponent may be a line in D/d,
+def part(rows, place, degree=DEGREE, one_exponent=False):
+    """One smooth curve in D/d for all necks, times a power law in their height whose exponent is one number or a line in D/d,
     and two steps: where D/d passes `place`, and where the height over d does. The errors grow by the root of chi squared over
     its degrees of freedom where that is above 1."""
     height, ratio, logs, error = rows.T
     x = ratio - np.mean(RANGE)
-    columns = [x**k for k in range(DEGREE + 1)] + [np.log(height), np.log(height) * x, ratio >= place, height * ratio >= place]
+    power = [np.log(height)] if one_exponent else [np.log(height), np.log(height) * x]
+    columns = [x**k for k in range(degree + 1)] + power + [ratio >= place, height * ratio >= place]
     design = np.column_stack(columns) / error[:, None]
     found = np.linalg.pinv(design) @ (logs / error)
     rest = float(((logs / error - design @ found) ** 2).sum())
@@ -44,6 +45,16 @@ def say_walls(necks, places):
         cells = [f"{found[0][0]:.3g} [{found[0][1]:.3g}, {found[0][2]:.3g}]" if found else "-" for _, found in sorted(means.items())]
         print(f"| {ratio:.3g} | " + " | ".join(cells) + " |")
     for place in places:
-        found = part(rows_of(necks), place)
-        of = [f"{100 * np.expm1(h):+.0f} % [{100 * np.expm1(h - 1.96 * e):+.0f}, {100 * np.expm1(h + 1.96 * e):+.0f}]" for h, e in (found.of_width, found.of_height)]
-        print(f"steps at {place:.2f}: of the width {of[0]}, of the height {of[1]}; chi squared {found.chi_squared:.1f} with {found.degrees_of_freedom}")
+        say_steps(f"steps at {place:.2f}", part(rows_of(necks), place))
+    for low in (RANGE[0], 2.35):
+        for degree in (2, 3, 4):
+            for one_exponent in (False, True):
+                name = f"from D/d = {low:g}, degree {degree}, exponent of the height {'one number' if one_exponent else 'a line'}"
+                say_steps(name, part(rows_of(necks, (low, RANGE[1])), places[1], degree, one_exponent))
+    for left_out in sorted(necks):
+        say_steps(f"without the necks {left_out:g} D high", part(rows_of({h: sizes for h, sizes in necks.items() if h != left_out}), places[1]))
+
+
+def say_steps(name, found):
+    of = [f"{100 * np.expm1(h):+.0f} % [{100 * np.expm1(h - 1.96 * e):+.0f}, {100 * np.expm1(h + 1.96 * e):+.0f}]" for h, e in (found.of_width, found.of_height)]
+    print(f"{name}: of the width {of[0]}, of the height {of[1]}; chi squared {found.chi_squared:.1f} with {found.degrees_of_freedom}")
