@@ -247,7 +247,7 @@ def missing(campaign):
 def not_covered(campaign):
     bullets = ["* 3 GPa; noise at these sizes; other flow rates.",
                "* How arches break: needs runs without restarts and with noise ([arches.md](arches.md))."]
-    few = [p for p in campaign.points if p.trend["mean_burst"]["stops"] < 100]
+    few = [p for p in campaign.points if p.trend["mean_burst"]["stops"] < 100 and p.trend["mean_burst"]["status"] != "lower bound"]
     if few:
         bullets.append("* Fewer than 100 clogs, so <s> to 20 % at best: D/d = " + ", ".join(number(p.ratio) for p in few) + ".")
     return "\n".join(bullets)
