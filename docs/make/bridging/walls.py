@@ -1,4 +1,4 @@
-"""Does a step belong to the width of the neck or to its height? Necks of two heights, fitted together."""
+"""Does a step belong to the width of the neck or to its height? Necks of several heights, fitted together."""
 
 import math
 from dataclasses import dataclass
