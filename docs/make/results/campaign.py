@@ -7,7 +7,8 @@ import tomllib
 from pathlib import Path
 
 FIGURES = Path(__file__).resolve().parents[3] / "postprocess" / "figures"
-sys.path[:0] = [str(FIGURES), str(Path(__file__).resolve().parents[1])]
+MAKE = Path(__file__).resolve().parents[1]
+sys.path[:0] = [str(FIGURES), str(MAKE), str(MAKE / "bridging")]
 
 from stats_files import Statistics  # noqa: E402  (found through the line above)
 
@@ -118,6 +119,13 @@ def estimate(entry, digits=3):
     if entry["low"] is None or entry["high"] is None:
         return number(entry["value"], digits)
     return f"{number(entry['value'], digits)} [{number(entry['low'], digits)}, {number(entry['high'], digits)}]"
+
+
+def over(a, b):
+    """Value, low and high of a / b, two positive estimates with intervals; errors of both in the logarithm."""
+    ratio = a["value"] / b["value"]
+    spread = math.hypot(*(0.5 * math.log(m["high"] / m["low"]) for m in (a, b)))
+    return {"value": ratio, "low": ratio * math.exp(-spread), "high": ratio * math.exp(spread)}
 
 
 def table(head, rows):

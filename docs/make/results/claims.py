@@ -2,7 +2,7 @@
 
 import math
 
-from campaign import NECK_UM, estimate, number
+from campaign import NECK_UM, estimate, number, over
 
 AGREES, PARTLY, DIFFERS, OPEN, ABSENT = "agrees", "partly", "**differs**", "cannot be said", "not run"
 
@@ -192,14 +192,12 @@ def more_strips(campaign):
     """The paper has three and says what more of them do: little, if <s> stays within a tenth with 95 %."""
     ours, verdict = changes_nothing("porosity.strips")(campaign)
     sweep = campaign.sweeps.get("porosity.strips")
-    if sweep is None:
+    three = next((p["mean_burst"] for p in sweep.points if p["x"] == 3), None) if sweep else None
+    if three is None:
         return ours, verdict
-    three, most = (p["mean_burst"] for p in (next(p for p in sweep.points if p["x"] == 3), sweep.points[-1]))
-    spread = math.hypot(*(0.5 * math.log(m["high"] / m["low"]) for m in (three, most)))
-    ratio = most["value"] / three["value"]
-    low, high = ratio * math.exp(-spread), ratio * math.exp(spread)
-    return (f"{ours}; from three on {number(ratio)} [{number(low)}, {number(high)}] times",
-            AGREES if 0.9 < low and high < 1.1 else DIFFERS if low > 1.1 or high < 0.9 else PARTLY)
+    more = over(sweep.points[-1]["mean_burst"], three)
+    return (f"{ours}; from three on {estimate(more)} times",
+            AGREES if 0.9 < more["low"] and more["high"] < 1.1 else DIFFERS if more["low"] > 1.1 or more["high"] < 0.9 else PARTLY)
 
 
 def rolling_stabilises(campaign):

@@ -11,7 +11,7 @@ from string import Template
 
 import claims
 import trends as trends_of_experiments
-from campaign import Campaign, estimate, number, numerics, softness, table
+from campaign import Campaign, estimate, number, numerics, over, softness, table
 
 import fig_bursts  # from postprocess/figures, which campaign.py put on the path
 import fig_lapses
@@ -20,6 +20,7 @@ import fig_trend
 import matplotlib
 import matplotlib.pyplot as plt
 import style
+from bursts import fair_sizes  # from docs/make/bridging, likewise
 from stats_files import Statistics
 from whole_file import rewritten  # from docs/make, likewise
 
@@ -112,20 +113,17 @@ def memory(campaign):
 
 
 # Free bursts, one a seed, 400 at each size: docs/reports/friction.md, "Again with fresh seeds". By diameter: mean and 95 % interval.
-FREE_BURSTS = {47: (7.25, 6.96, 7.57), 40: (12.2, 11.7, 12.8)}
+FREE_BURSTS = {47: {"value": 7.25, "low": 6.96, "high": 7.57}, 40: {"value": 12.2, "low": 11.7, "high": 12.8}}
 
 
 def rewind(campaign):
-    """<s> over that of free bursts, errors of both in the logarithm."""
+    """<s> over that of free bursts."""
     said = []
-    for diameter, (value, low, high) in FREE_BURSTS.items():
+    for diameter, free in FREE_BURSTS.items():
         point = campaign.at(diameter)
         if point is None:
             continue
-        mean = point.quantity("mean_burst")
-        ratio = mean["value"] / value
-        spread = math.hypot(*(0.5 * math.log(b / a) for a, b in ((low, high), (mean["low"], mean["high"]))))
-        said.append(f"at D/d = {number(point.ratio)} it is {number(ratio)} [{number(ratio * math.exp(-spread))}, {number(ratio * math.exp(spread))}] times theirs")
+        said.append(f"at D/d = {number(point.ratio)} it is {estimate(over(point.quantity('mean_burst'), free))} times theirs")
     return (" and ".join(said) or "not compared here") + " ([friction.md](friction.md#again-with-fresh-seeds), other seeds)."
 
 
@@ -141,25 +139,24 @@ def order(campaign):
 SETTLED = 0.8  # s of a run: then the packing near the neck no longer rises at D/d = 4 and 4.55
 
 
-def passages_over_clogs(rows):
-    """Of rows (seed, passages, whether a clog ended them): the ratio, with its standard error over seeds."""
-    passages, clogs = sum(s for _, s, _ in rows), sum(c for _, _, c in rows)
-    ratio, rests = passages / clogs, {}
-    for seed, s, c in rows:
-        rests[seed] = rests.get(seed, 0) + s - ratio * c
-    return f"{number(ratio)} +- {number(math.sqrt(sum(rest ** 2 for rest in rests.values())) / clogs, 2)}"
-
-
 def settling(campaign):
-    """Passages over clogs of the bursts that begin before and after SETTLED. The burst that the end cuts off counts with its passages,
-    so long ones are not lost."""
+    """Mean of the bursts that begin before and after SETTLED, with its standard error over seeds. Late ones count where they end before the
+    run does in any case, so that the end cuts no long ones off."""
     said = []
     for p in campaign.points:
-        rows = [(row["start [s]"] < SETTLED, (row["seed"], row["s [1]"], row["kind"] != "cut off")) for row in campaign.statistics.rows("bursts", p.index)]
-        parts = [[row for early, row in rows if early == first] for first in (True, False)]
-        if p.ratio > 3 and all(sum(clogged for _, _, clogged in part) >= 20 for part in parts):
-            said.append(" and ".join(map(passages_over_clogs, parts)) + f" at {number(p.ratio)}")
+        rows = campaign.statistics.rows("bursts", p.index)
+        early, late = ([row for row in rows if (row["start [s]"] < SETTLED) == first] for first in (True, False))
+        parts = fair_sizes(early, math.inf), fair_sizes(late, p.group["runs"][0]["end"])
+        if p.ratio > 3 and all(sum(map(len, part.values())) >= 20 for part in parts):
+            said.append(" and ".join(map(with_seed_error, parts)) + f" at {number(p.ratio)}")
     return "; ".join(said)
+
+
+def with_seed_error(sizes):
+    """Mean of all bursts, and its standard error by the scatter of the seeds. \\param sizes  of the bursts, by seed"""
+    count = sum(map(len, sizes.values()))
+    mean = sum(map(sum, sizes.values())) / count
+    return f"{number(mean)} +- {number(math.sqrt(sum((sum(s) - mean * len(s)) ** 2 for s in sizes.values())) / count, 2)}"
 
 
 def rivals(fit):
@@ -216,17 +213,14 @@ def condition(here, there):
 
 
 def beside(campaign, other):
-    """<s> of another campaign at the same sizes, and the ratio with its interval (errors of both, in the logarithm)."""
+    """<s> of another campaign at the same sizes, and the ratio with its interval."""
     rows = []
     for o in other.points:
         p = next((p for p in campaign.points if abs(o.ratio - p.ratio) < 0.01 * p.ratio), None)
         b = o.trend["mean_burst"]
         ratio = "-"
         if p is not None and b["value"] and p.trend["mean_burst"]["value"]:
-            a = p.trend["mean_burst"]
-            spread = math.hypot(*(0.5 * math.log(m["high"] / m["low"]) for m in (a, b)))
-            middle = b["value"] / a["value"]
-            ratio = f"{number(middle)} [{number(middle * math.exp(-spread))}, {number(middle * math.exp(spread))}]"
+            ratio = estimate(over(b, p.trend["mean_burst"]))
         rows.append([number(o.ratio), len(o.group["runs"]), f"{b['stops']} / {b['passages']}", f"**{estimate(b)}**", ratio,
                      estimate(o.quantity("flow_rate_flowing")), number(o.group["steady"]["packing_fraction"]["value"]), number(o.core_hours(), 2)])
     return table(["D/d", "seeds", "clogs / passages", "<s>", "over that of the campaign", "passages per second of flow", "packing", "core-hours"], rows)
