@@ -105,7 +105,7 @@ void run_study(const Study& study, Ranks& ranks, const std::function<void(const 
       const std::string line = fmt::format("{}, seed {}: {}", setting.name, seed, report.line);
       ranks.is_first() ? say(line) : ranks.tell_first(line);
     });
-    if (how == SeedEnd::done) fs::remove(refusal(k));
+    if (how == SeedEnd::done || how == SeedEnd::stopped) fs::remove(refusal(k));
   }
   ranks.wait(hear);  // nobody reads before everybody has written
 }

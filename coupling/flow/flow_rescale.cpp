@@ -6,6 +6,7 @@
 
 #include "coupling/base/require.hpp"
 #include "coupling/geometry/channel_shape.hpp"
+#include "coupling/scene/readable_scene.hpp"
 
 namespace clogflow {
 namespace {
@@ -21,7 +22,7 @@ void require_same(const std::string& of_file, const std::string& of_scene) {
     require(more_a && more_b && line_a == line_b,
             "the flow file belongs to another scene ({}, this scene has {}): make it anew with clog "
             "case and clog map",
-            more_a ? line_a : "nothing more", more_b ? line_b : "nothing more");
+            readable_scene(more_a ? line_a : "nothing more"), readable_scene(more_b ? line_b : "nothing more"));
   }
 }
 

@@ -86,9 +86,11 @@ TEST(LostParticle, NamesTheParticleAndThePlace) {
 TEST(Flow, OfAnotherSceneIsRefusedWithTheFirstDifference) {
   const Scene narrow = short_channel_scene();
   const FlowGrid grid = synthetic_flow(short_channel_scene({"geometry.half_angle=45 deg"}));
-  EXPECT_THAT(refusal([&] { make_model(narrow, &grid, {}); }),
-              AllOf(HasSubstr("the flow file belongs to another scene"), HasSubstr("half_angle"),
-                    HasSubstr("make it anew with clog case and clog map")));
+  EXPECT_THAT(
+      refusal([&] { make_model(narrow, &grid, {}); }),
+      AllOf(HasSubstr("the flow file belongs to another scene (geometry.half_angle = \"45 deg\", this scene has "
+                      "geometry.half_angle = \"60 deg\")"),
+            HasSubstr("make it anew with clog case and clog map")));
 }
 
 TEST(Flow, ThatIsMissingIsAskedFor) {
