@@ -3,11 +3,13 @@
 import csv
 import statistics
 import sys
+from pathlib import Path
 
 import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend must be chosen first)
+from whole_file import rewritten  # noqa: E402
 
 COLOURS = {"accurate": "#1f5fa8", "inaccurate": "#6fa8dc", "refused": "#8a949e", "unstable": "#c8432b"}
 # The measurement resolves 1 % of the prediction and 1 % of the bisection.
@@ -83,7 +85,8 @@ def main(table, picture):
                       color=colour, label=f"{verdict} ({len(some)})")
     right.set(xscale="log", yscale="log", xlabel="diameter [m]", ylabel="Young's modulus [Pa]")
     right.legend(frameon=True, fontsize=7)
-    figure.savefig(picture, dpi=130)
+    with rewritten(Path(picture), binary=True) as out:
+        figure.savefig(out, dpi=130, format="png")
 
 
 if __name__ == "__main__":

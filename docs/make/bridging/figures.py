@@ -8,10 +8,12 @@ import matplotlib.pyplot as plt  # noqa: E402
 from bursts import log_error, mean_of  # noqa: E402
 from layers import BINS, at_half_height  # noqa: E402
 from steps import NAMED, RANGE  # noqa: E402
+from whole_file import rewritten  # noqa: E402
 
 
 def save(figure, file):
-    figure.savefig(file, dpi=130)
+    with rewritten(file, binary=True) as out:
+        figure.savefig(out, dpi=130, format="png")
     plt.close(figure)
 
 

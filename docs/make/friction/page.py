@@ -106,7 +106,8 @@ def draw(rows, file):
     axes.set_yticks([len(names) - k for k in range(len(names))], [words(name) for name in names], fontsize=8)
     axes.set(xlabel="D/d", xlim=(1.1, 4.5), ylim=(0.4, len(names) + 0.8))
     figure.suptitle("passages until the first clog; triangle: no seed clogged; open: not all did", fontsize=10)
-    figure.savefig(file, dpi=130)
+    with rewritten(file, binary=True) as out:
+        figure.savefig(out, dpi=130, format="png")
 
 
 def write_page(folder, out):
